@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dioptre/core/color.h"
+
+namespace dioptre {
+
+/// A rendered picture in the scene's own values, rows from top to bottom. `alpha` is 1 where the
+/// pixel is opaque; colours are not multiplied by it.
+struct Image {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Color> pixels;
+  std::vector<float> alpha;  ///< empty: opaque everywhere
+
+  Image() = default;
+  Image(std::uint32_t w, std::uint32_t h) : width(w), height(h), pixels(std::size_t{w} * h) {}
+  Color& at(std::uint32_t x, std::uint32_t y) { return pixels[std::size_t{y} * width + x]; }
+  const Color& at(std::uint32_t x, std::uint32_t y) const {
+    return pixels[std::size_t{y} * width + x];
+  }
+};
+
+}  // namespace dioptre

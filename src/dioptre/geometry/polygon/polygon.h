@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "dioptre/core/vec.h"
+#include "dioptre/geometry/shape.h"
+
+namespace dioptre {
+
+/// A planar polygon of any shape, with holes: a sheet. Each outline is closed (its first point
+/// need not be repeated); a point is inside where an odd number of outlines is around it.
+struct Polygon {
+  static constexpr const char* kName = "polygon";
+  std::vector<std::vector<Vec3>> outlines;
+
+  bool operator==(const Polygon&) const = default;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("outlines", self.outlines);
+  }
+};
+
+/// Checks the parameters and does all work that does not depend on a ray.
+Result<ShapePtr> prepare(const Polygon& polygon);
+
+}  // namespace dioptre

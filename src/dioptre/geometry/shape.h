@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "dioptre/core/bounds.h"
+#include "dioptre/core/interval.h"
+#include "dioptre/core/ray.h"
+#include "dioptre/core/result.h"
+#include "dioptre/core/vec.h"
+
+namespace dioptre {
+
+/// Where a ray goes through a surface. Only what finding it yields: the local geometry is computed
+/// later, for the one crossing that is seen, by Shape::surface.
+struct Crossing {
+  double t = 0;
+  double error = 0;        ///< a bound on |t - true t|, from the arithmetic (never a scene length)
+  std::uint32_t leaf = 0;  ///< which part of a compound shape; set by the compound
+  std::uint32_t face = 0;  ///< which face of the shape, in the shape's own numbering
+  double u = 0, v = 0;     ///< the shape's own coordinates of the point, if it found them anyway
+  bool entering = true;    ///< from outside to inside; for a sheet: against its normal
+  bool visible = true;     ///< false: bounds the solid but is not drawn (an `open` cap)
+};
+
+using Crossings = std::vector<Crossing>;
+
+/// The local geometry of a surface at a crossing, in the shape's own space unless said otherwise.
+struct Surface {
+  Vec3 position;
+  Vec3 normal;          ///< geometric, unit, pointing out of the solid (or to a sheet's front)
+  Vec3 shading_normal;  ///< unit; differs from `normal` on smoothed faces only
+  Vec2 uv;              ///< surface coordinates in [0,1]^2 where the shape has them
+};
+
+/// A prepared primitive in its own space: immutable, shared by all threads.
+///
+/// Rays may have a direction of any length, and any origin. A shape is a solid (it has an inside),
+/// or a sheet (a triangle, an open mesh): a sheet contains nothing and never starts inside.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  /// A box that holds every surface point, and every inside point unless it is infinite.
+  virtual Bounds bounds() const = 0;
+
+  virtual bool solid() const { return true; }
+
+  /// Appends the crossings with range.min < t < range.max to `out`, in order of t, and returns
+  /// whether the ray is inside just after range.min. For a solid, the crossings' `entering`
+  /// alternate from that state on. A tangent point is either absent or two crossings.
+  virtual bool crossings(const Ray& ray, Interval range, Crossings& out) const = 0;
+
+  /// Whether p lies inside; a point on the surface may count either way.
+  virtual bool contains(Vec3 p) const = 0;
+
+  /// The geometry at a crossing that `crossings` or `nearest` reported for this very ray.
+  virtual Surface surface(const Ray& ray, const Crossing& crossing) const = 0;
+
+  /// The first visible crossing in the range; false if there is none. The default asks
+  /// `crossings`; shapes override it where they can stop early.
+  virtual bool nearest(const Ray& ray, Interval range, Crossing& out) const;
+};
+
+using ShapePtr = std::unique_ptr<const Shape>;
+
+}  // namespace dioptre

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "dioptre/geometry/blob/blob.h"
+#include "dioptre/geometry/box/box.h"
+#include "dioptre/geometry/cone/cone.h"
+#include "dioptre/geometry/cylinder/cylinder.h"
+#include "dioptre/geometry/disc/disc.h"
+#include "dioptre/geometry/mesh/mesh.h"
+#include "dioptre/geometry/plane/plane.h"
+#include "dioptre/geometry/poly/poly.h"
+#include "dioptre/geometry/polygon/polygon.h"
+#include "dioptre/geometry/prism/prism.h"
+#include "dioptre/geometry/quadric/quadric.h"
+#include "dioptre/geometry/sphere/sphere.h"
+#include "dioptre/geometry/text/text.h"
+#include "dioptre/geometry/torus/torus.h"
+#include "dioptre/geometry/triangle/triangle.h"
+
+namespace dioptre {
+
+/// The one list of primitives. A new primitive adds its folder and its name here; laws, JSON and
+/// the compiler then know it.
+using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly,
+                               Triangle, Mesh, Polygon, Prism, Blob, Text>;
+
+/// Prepares whichever primitive it is.
+inline Result<ShapePtr> prepare(const ShapeData& data) {
+  return std::visit([](const auto& shape) { return prepare(shape); }, data);
+}
+
+}  // namespace dioptre
