@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dioptre/core/diagnostics.h"
+#include "dioptre/core/result.h"
+#include "dioptre/scene/queries.h"
+#include "dioptre/scene/scene.h"
+#include "dioptre/scene/source_map.h"
+
+namespace dioptre {
+
+/// Limits that keep any input from running away; each can be raised by an option of its name.
+struct LoadBudgets {
+  std::uint64_t steps = 4'000'000'000;  ///< tokens run, loops and macros counted every time
+  std::uint64_t objects = 50'000'000;
+  std::uint32_t nesting = 4000;              ///< of braces, parentheses, macros and includes
+  std::uint64_t string_bytes = 64u << 20;    ///< of one string
+  std::uint64_t array_elements = 64u << 20;  ///< of all arrays
+  std::uint64_t written_bytes = 1u << 30;    ///< by #write
+  double seconds = 0;                        ///< 0: no limit
+};
+
+/// What the surroundings give to a scene.
+struct LoadOptions {
+  std::vector<std::string> library_paths;  ///< searched after the scene's own folder
+  std::uint32_t image_width = 320, image_height = 240;
+  double clock = 0, clock_delta = 0;
+  bool clock_on = false;
+  double initial_clock = 0, final_clock = 1;
+  std::int32_t initial_frame = 1, final_frame = 1, frame_number = 0;
+  std::map<std::string, std::variant<double, std::string>> declares;  ///< Declare=NAME=VALUE
+  std::vector<std::string> readable_paths,
+      writable_paths;  ///< beyond the scene's and library folders
+  LoadBudgets budgets;
+};
+
+struct LoadedScene {
+  Scene scene;
+  SourceMap source_map;
+};
+
+/// Reads a scene in POV-Ray's scene description language. `path` "-" is the standard input. All
+/// messages go to `diagnostics`; the result is an Error only if there is no scene.
+Result<LoadedScene> load_pov(const std::string& path, const LoadOptions& options,
+                             SceneQueries& queries, Diagnostics& diagnostics);
+
+}  // namespace dioptre

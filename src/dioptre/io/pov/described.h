@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "dioptre/core/affine.h"
+#include "dioptre/scene/scene.h"
+
+namespace dioptre::pov {
+
+/// A material: what an object wears and what is in it.
+struct MaterialValue {
+  TextureId texture, interior_texture;
+  InteriorId interior;
+};
+struct ColorMapValue {
+  std::vector<ColorEntry> entries;
+};
+struct PigmentMapValue {
+  std::vector<PigmentEntry> entries;
+};
+struct NormalMapValue {
+  std::vector<NormalEntry> entries;
+};
+struct SlopeMapValue {
+  std::vector<SlopeEntry> entries;
+};
+struct TextureMapValue {
+  std::vector<TextureEntry> entries;
+};
+/// A thing that is read and checked but not rendered yet (media, density, rainbow, ...).
+struct UnrenderedValue {
+  std::uint16_t keyword = 0;
+};
+
+/// Whatever an identifier can stand for beyond numbers and strings. Objects are by value, so that a
+/// use can be changed without changing the declaration; they share their parts.
+using Described =
+    std::variant<Object, Light, Texture, Pigment, Normal, Finish, Interior, MaterialValue, Camera,
+                 Affine, Fog, SkySphere, ColorMapValue, PigmentMapValue, NormalMapValue,
+                 SlopeMapValue, TextureMapValue, UnrenderedValue>;
+using DescribedPtr = std::shared_ptr<const Described>;
+
+}  // namespace dioptre::pov
