@@ -16,7 +16,7 @@ enum class Keyword : std::uint16_t {
 #define DIOPTRE_KEYWORD(name, text) k##name,
 #include "dioptre/io/pov/keywords.def"
 #undef DIOPTRE_KEYWORD
-  kCount
+  kNotAKeyword  ///< also the number of keywords
 };
 
 /// One token of a file, made once however often it is run.
