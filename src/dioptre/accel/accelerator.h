@@ -42,7 +42,7 @@ using AcceleratorPtr = std::unique_ptr<const Accelerator>;
 std::span<const std::string_view> accelerator_names();
 
 /// Builds the named structure over the boxes. Empty boxes are never reported; unbounded ones are
-/// split off here and reported for every ray. An unknown name is an error that lists the names.
+/// split off here and looked at for every ray. An unknown name is an error that lists the names.
 Result<AcceleratorPtr> make_accelerator(std::string_view name, std::span<const Bounds> boxes);
 
 }  // namespace dioptre

@@ -86,8 +86,13 @@ TEST(Bounds, ClipKeepsEveryInsidePointOfTheRay) {
 }
 
 TEST(Diagnostics, TextShowsLineCaretAndNotes) {
-  const Diagnostic d{Severity::kError, "ring.pov", 12, 13, "torus needs two numbers, found '}'",
-                     "  torus {\t1 }", {"write torus { MAJOR, MINOR }"}};
+  const Diagnostic d{Severity::kError,
+                     "ring.pov",
+                     12,
+                     13,
+                     "torus needs two numbers, found '}'",
+                     "  torus {\t1 }",
+                     {"write torus { MAJOR, MINOR }"}};
   EXPECT_EQ(to_text(d),
             "ring.pov:12:13: error: torus needs two numbers, found '}'\n"
             "  12 |   torus { 1 }\n"

@@ -10,9 +10,12 @@ constexpr std::size_t kWidest = 160;
 
 const char* name(Severity severity) {
   switch (severity) {
-    case Severity::kNote: return "note";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: return "error";
+    case Severity::kNote:
+      return "note";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
   }
   return "error";
 }
@@ -61,8 +64,8 @@ std::string to_text(const Diagnostic& d) {
     const std::string number = std::to_string(d.line);
     const std::string margin(std::max<std::size_t>(number.size(), 3), ' ');
     const Excerpt shown = excerpt(d.source_line, d.column);
-    text += ' ' + std::string(margin.size() - number.size(), ' ') + number + " | " + shown.text +
-            '\n';
+    text +=
+        ' ' + std::string(margin.size() - number.size(), ' ') + number + " | " + shown.text + '\n';
     if (d.column > 0) text += ' ' + margin + " | " + std::string(shown.caret, ' ') + "^\n";
   }
   for (const std::string& note : d.notes) text += "     = note: " + note + '\n';

@@ -23,4 +23,14 @@ struct Image {
   }
 };
 
+/// A picture as the integers that a file holds, rows from top to bottom.
+struct EncodedImage {
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t channels = 3;  ///< 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
+  std::uint32_t bits = 8;      ///< 1 to 16: values are 0 to 2^bits - 1
+  double gamma = 0;            ///< of the encoding; 0: the sRGB curve
+  bool gamma_known = true;     ///< false: values are the scene's own, the file says no gamma
+  std::vector<std::uint16_t> values;
+};
+
 }  // namespace dioptre

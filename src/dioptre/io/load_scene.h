@@ -50,4 +50,9 @@ struct LoadedScene {
 Result<LoadedScene> load_pov(const std::string& path, const LoadOptions& options,
                              SceneQueries& queries, Diagnostics& diagnostics);
 
+/// As load_pov, but of a text: `name` is shown in messages, and its folder is the scene's.
+Result<LoadedScene> load_pov_text(const std::string& name, std::string text,
+                                  const LoadOptions& options, SceneQueries& queries,
+                                  Diagnostics& diagnostics);
+
 }  // namespace dioptre

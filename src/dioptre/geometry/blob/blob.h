@@ -34,7 +34,8 @@ struct BlobComponent {
 
 /// The points where the sum of the components' fields reaches the threshold. The field of one
 /// component is strength (1 - (d/radius)^2)^2 within its radius, d the distance to a point or to a
-/// segment with round ends.
+/// segment with round ends. Components of radius or strength 0 do nothing. Crossing::face is the
+/// component whose field is the strongest there.
 struct Blob {
   static constexpr const char* kName = "blob";
   double threshold = 1;
@@ -51,7 +52,8 @@ struct Blob {
   }
 };
 
-/// Checks the parameters and does all work that does not depend on a ray.
+/// Checks the parameters and does all work that does not depend on a ray. An error without
+/// components, for a cylinder without length, a singular transform, or a number that is not finite.
 Result<ShapePtr> prepare(const Blob& blob);
 
 }  // namespace dioptre

@@ -47,11 +47,13 @@ struct MeshData {
   }
 };
 
-/// Triangles that share corners. A solid if `inside_vector` is given, else a sheet.
+/// Triangles that share corners, or have their own at equal places; the normal of a face is along
+/// cross(c - a, b - a). A solid if `inside_vector` is given, else a sheet.
 struct Mesh {
   static constexpr const char* kName = "mesh";
   Shared<MeshData> data;
-  Vec3 inside_vector;  ///< any direction; 0 means a sheet. Inside is what odd parity along it says
+  Vec3 inside_vector;  ///< any direction; 0 means a sheet. Inside is what odd parity along
+                       ///< it says: the mesh should be closed
 
   bool operator==(const Mesh&) const = default;
 
@@ -62,7 +64,8 @@ struct Mesh {
   }
 };
 
-/// Checks the parameters and does all work that does not depend on a ray.
+/// Checks the parameters and does all work that does not depend on a ray. An error for an
+/// index that refers to nothing, or a number that is not finite.
 Result<ShapePtr> prepare(const Mesh& mesh);
 
 }  // namespace dioptre

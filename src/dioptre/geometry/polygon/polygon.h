@@ -10,6 +10,10 @@ namespace dioptre {
 
 /// A planar polygon of any shape, with holes: a sheet. Each outline is closed (its first point
 /// need not be repeated); a point is inside where an odd number of outlines is around it.
+///
+/// The plane is that of the first outline's first three points that are not on one line, and its
+/// normal their cross product; other points are moved into it along the normal's longest axis.
+/// Outlines on one line make an empty shape.
 struct Polygon {
   static constexpr const char* kName = "polygon";
   std::vector<std::vector<Vec3>> outlines;
@@ -22,7 +26,8 @@ struct Polygon {
   }
 };
 
-/// Checks the parameters and does all work that does not depend on a ray.
+/// Checks the parameters and does all work that does not depend on a ray. An error for fewer than
+/// three points in an outline, or a point that is not finite.
 Result<ShapePtr> prepare(const Polygon& polygon);
 
 }  // namespace dioptre

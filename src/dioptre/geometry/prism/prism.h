@@ -10,20 +10,30 @@
 namespace dioptre {
 
 /// How the control points of an outline make a curve (as in a scene file).
-enum class PrismSpline : std::uint8_t { kLinear, kQuadratic, kCubic, kBezier };
+enum class PrismSpline : std::uint8_t {
+  kLinear,     ///< p1 ... pn: straight lines. At least 3 points
+  kQuadratic,  ///< c p1 ... pn: parabolas through p1 ... pn; c only bends the first. At least 4
+  kCubic,   ///< c p1 ... pn d: Catmull-Rom through p1 ... pn; c, d only bend the ends. At least 5
+  kBezier,  ///< groups of 4: begin, two controls, end. At least 1 group
+};
 
 /// A closed outline in the x-z plane swept along y: straight (linear sweep) or from the origin
-/// (conic sweep: the outline is that at y = 1 and shrinks to a point at y = 0).
+/// (conic sweep: the outline is that at y = 1 and shrinks to a point at y = 0; below 0 it is
+/// mirrored at the origin). The heights may come in any order.
+///
+/// Each entry of `outlines` holds the control points of one closed sub-outline exactly as a scene
+/// file lists them, its own c (and d) included, with the repeated closing point (pn = p1, or the
+/// last Bezier end) or without it: then a straight line closes it. A point is inside where an odd
+/// number of sub-outlines is around it.
 struct Prism {
   static constexpr const char* kName = "prism";
   PrismSpline spline = PrismSpline::kLinear;
   bool conic = false;
   double height1 = 0;
   double height2 = 1;
-  std::vector<std::vector<Vec2>>
-      outlines;  ///< control points (x, z), as the spline kind wants them
-  bool open = false;
-  bool sturm = false;
+  std::vector<std::vector<Vec2>> outlines;  ///< control points (x, z), as the spline kind says
+  bool open = false;                        ///< the caps bound the solid but are not drawn
+  bool sturm = false;                       ///< kept for scene files; all roots are always found
 
   bool operator==(const Prism&) const = default;
 
@@ -39,7 +49,8 @@ struct Prism {
   }
 };
 
-/// Checks the parameters and does all work that does not depend on a ray.
+/// Checks the parameters and does all work that does not depend on a ray. An error for too few
+/// points, or a number that is not finite.
 Result<ShapePtr> prepare(const Prism& prism);
 
 }  // namespace dioptre

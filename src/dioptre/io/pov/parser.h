@@ -59,6 +59,8 @@ class Parser {
   virtual bool at_color() = 0;
   virtual std::string parse_string() = 0;
   virtual bool at_string() = 0;
+  /// A string that names a file: in a literal a backslash is a separator, not an escape.
+  virtual std::string parse_file_name() = 0;
 
   // --- identifiers --------------------------------------------------------------------------
   /// If the next tokens name a described thing (an identifier, perhaps with subscripts), takes them

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "dioptre/io/load_scene.h"
+#include "settings.h"
+
+namespace dioptre::app {
+
+/// What the program says to its caller.
+enum ExitCode : int { kSuccess = 0, kFailure = 1, kStopped = 2, kUsage = 64 };
+
+/// Reads the scene of one frame: POV-Ray's language, or a `.json` dump. Messages go to the standard
+/// error.
+Result<LoadedScene> load(const AppSettings& settings, std::int64_t frame);
+
+/// Renders all frames that the settings ask for.
+int render_command(const AppSettings& settings);
+/// Prints the scene as JSON, to the output file or the standard output.
+int dump_command(const AppSettings& settings);
+/// Prints how much there is in a scene.
+int info_command(const AppSettings& settings);
+
+/// Prints "dioptre: error: ..." to the standard error and returns kFailure.
+int report_error(const std::string& message);
+
+}  // namespace dioptre::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace dioptre::app {
+namespace {
+
+const char* extension(char file_type) {
+  switch (file_type) {
+    case 'B':
+      return ".bmp";
+    case 'E':
+      return ".exr";
+    case 'H':
+      return ".hdr";
+    case 'J':
+      return ".jpg";
+    case 'P':
+      return ".ppm";
+    case 'C':
+    case 'S':
+    case 'T':
+      return ".tga";
+    default:
+      return ".png";
+  }
+}
+
+/// A bound of the subset: a share of all frames if under 1.
+std::int64_t subset_frame(const AppSettings& s, double bound) {
+  if (bound >= 1) return static_cast<std::int64_t>(bound);
+  const double frames = static_cast<double>(s.final_frame) - s.initial_frame + 1;
+  return s.initial_frame + static_cast<std::int64_t>(std::floor(bound * frames));
+}
+
+}  // namespace
+
+bool is_animation(const AppSettings& settings) { return settings.final_frame >= 0; }
+
+double clock_delta(const AppSettings& settings) {
+  const double steps = static_cast<double>(settings.final_frame) - settings.initial_frame +
+                       (settings.cyclic ? 1 : 0);
+  if (!is_animation(settings) || steps <= 0) return 0;
+  return (settings.final_clock - settings.initial_clock) / steps;
+}
+
+FrameRange frame_range(const AppSettings& s) {
+  if (!is_animation(s)) return {0, 0, 1};
+  const std::int64_t first = s.subset_start > 0 ? subset_frame(s, s.subset_start) : s.initial_frame;
+  const std::int64_t last = s.subset_end > 0 ? subset_frame(s, s.subset_end) : s.final_frame;
+  return {std::max<std::int64_t>(first, s.initial_frame),
+          std::min<std::int64_t>(last, s.final_frame), s.frame_step};
+}
+
+double frame_clock(const AppSettings& settings, std::int64_t number) {
+  if (!is_animation(settings)) return settings.clock;
+  return settings.initial_clock +
+         clock_delta(settings) * static_cast<double>(number - settings.initial_frame);
+}
+
+std::string output_path(const AppSettings& settings, std::int64_t frame) {
+  namespace fs = std::filesystem;
+  if (settings.output == "-") return "-";
+  const fs::path scene = settings.input == "-" ? fs::path("stdin") : fs::path(settings.input);
+  fs::path path = settings.output;
+  std::error_code ignored;
+  if (path.empty() || !path.has_filename() || fs::is_directory(path, ignored)) {
+    path /= scene.stem();
+    path += extension(settings.file_type);
+  } else if (path.extension().empty()) {
+    path += extension(settings.file_type);
+  }
+  if (!is_animation(settings)) return path.string();
+  std::string number = std::to_string(frame);
+  const std::size_t digits = std::to_string(settings.final_frame).size();
+  if (number.size() < digits) number.insert(0, digits - number.size(), '0');
+  const std::string end = path.extension().string();
+  path.replace_extension();
+  return path.string() + number + end;
+}
+
+}  // namespace dioptre::app

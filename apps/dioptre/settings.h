@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dioptre/core/result.h"
+
+namespace dioptre::app {
+
+/// Everything that a command line and INI files can say. Defaults are POV-Ray's.
+struct AppSettings {
+  std::string input;
+  std::string include_header;
+  std::vector<std::string> library_paths;
+  std::map<std::string, double> declares;
+  double version = 0;  ///< of the scene language; 0: the scene says
+
+  std::uint32_t width = 320, height = 240;
+  /// Rows and columns from 1; under 1 a share of the size. 0: the edge.
+  double start_column = 0, start_row = 0, end_column = 0, end_row = 0;
+
+  std::string output;  ///< empty: the scene's name
+  bool output_to_file = true;
+  char file_type = 'N';
+  std::uint32_t bits = 8;
+  bool alpha = false;
+  bool dither = false;
+  double file_gamma = 0;  ///< 0: the sRGB curve
+  std::uint32_t compression = 0;
+
+  bool antialias = false;
+  std::uint32_t sampling_method = 1;
+  double antialias_threshold = 0.3;
+  std::uint32_t antialias_depth = 3;
+  double antialias_gamma = 2.5;
+  bool jitter = true;
+  double jitter_amount = 1;
+
+  std::uint32_t quality = 9;
+  std::uint32_t threads = 0;
+  std::string accelerator = "bvh";
+  std::string integrator = "whitted";
+
+  double clock = 0;
+  std::int32_t initial_frame = 1;
+  std::int32_t final_frame = -1;  ///< -1: no animation
+  double initial_clock = 0, final_clock = 1;
+  double subset_start = 0, subset_end = 0;  ///< under 1 a share of the frames; 0: all
+  std::int32_t frame_step = 1;
+  bool cyclic = false;
+
+  bool verbose = true;
+  bool warnings = true;
+  std::string progress = "auto";  ///< auto, plain, json, none
+
+  std::uint64_t max_steps = 4'000'000'000, max_objects = 50'000'000;
+  std::uint32_t max_nesting = 4000;
+  std::uint64_t max_pixels = std::uint64_t{1} << 28;
+  double max_seconds = 0;
+
+  std::uint32_t ini_depth = 0;  ///< how many INI files are being read, one within the other
+  bool operator==(const AppSettings&) const = default;
+};
+
+/// Sets one option by its INI name, in any case: set(s, "Width", "640"). The error of an unknown
+/// name says which known one is nearest. Options of POV-Ray that have no meaning here (display,
+/// buffers, radiosity files) are checked and then ignored.
+Result<void> set_option(AppSettings& settings, std::string_view key, const std::string& value);
+
+/// All INI names, in alphabetical order.
+std::vector<std::string_view> option_names();
+
+/// The one of `names` with the fewest edits to `name`.
+std::string nearest(std::string_view name, const std::vector<std::string_view>& names);
+
+/// ASCII upper case letters as lower case ones.
+std::string to_lower(std::string_view text);
+
+}  // namespace dioptre::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "dioptre/csg/tree.h"
+
+namespace dioptre::csg {
+
+/// A leaf in world space: takes rays into the space of its shape, which keeps their t, and results
+/// back, with inside and outside exchanged for a complement.
+class PlacedLeaf {
+ public:
+  explicit PlacedLeaf(const Leaf& leaf);
+
+  /// A box around the surface, in world space.
+  const Bounds& bounds() const { return bounds_; }
+  /// Whether what lies outside `bounds` is inside the leaf.
+  bool outside() const { return outside_; }
+  bool solid() const { return leaf_.shape->solid(); }
+
+  /// Appends the crossings in the range, marked with `id`, and returns whether the ray is inside
+  /// just after range.min. Their errors take in the rounding of the ray and of the leaf's place.
+  bool crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const;
+  bool nearest(const Ray& ray, Interval range, Crossing& out) const;
+  bool contains(Vec3 p) const;
+  Surface surface(const Ray& ray, const Crossing& crossing) const;
+
+ private:
+  Ray to_object(const Ray& ray) const { return moved_ ? leaf_.placement.to_object.ray(ray) : ray; }
+  void to_world(const Ray& ray, Crossing& crossing) const;
+
+  Leaf leaf_;
+  bool moved_;
+  Bounds bounds_;
+  bool outside_;
+};
+
+/// The relative rounding of a coordinate in a ray and in a placement, generously.
+inline constexpr double kPlacementError = 8 * 2.220446049250313e-16;
+
+/// How far t can be off by the rounding of coordinates alone at t along a ray.
+double rounding_of(const Ray& ray, double t);
+
+}  // namespace dioptre::csg

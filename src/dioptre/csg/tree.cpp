@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/csg/tree.h"
+
+#include <utility>
+
+#include "dioptre/csg/compiled.h"
+#include "dioptre/csg/evaluation.h"
+
+namespace dioptre::csg {
+namespace {
+
+/// A tree that is just one leaf.
+class PlacedShape final : public Shape {
+ public:
+  PlacedShape(PlacedLeaf leaf, std::uint32_t id) : leaf_(std::move(leaf)), id_(id) {}
+
+  Bounds bounds() const override { return leaf_.outside() ? Bounds::all() : leaf_.bounds(); }
+  bool solid() const override { return leaf_.solid(); }
+  bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
+    return leaf_.crossings(ray, range, id_, out);
+  }
+  bool contains(Vec3 p) const override { return leaf_.contains(p); }
+  Surface surface(const Ray& ray, const Crossing& crossing) const override {
+    return leaf_.surface(ray, crossing);
+  }
+  bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
+    if (!leaf_.nearest(ray, range, out)) return false;
+    out.leaf = id_;
+    return true;
+  }
+
+ private:
+  PlacedLeaf leaf_;
+  std::uint32_t id_;
+};
+
+/// A tree of operators over several leaves.
+class Tree final : public Shape {
+ public:
+  explicit Tree(Compiled compiled) : compiled_(std::move(compiled)) {}
+
+  Bounds bounds() const override { return compiled_.bounds; }
+  bool solid() const override { return compiled_.solid; }
+
+  bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
+    const SlabRay slabs(ray);
+    if (!meets(slabs, range)) return false;
+    const ScratchLease scratch;
+    const bool inside = Sweep(compiled_, *scratch, ray, slabs, range).run(true);
+    out.insert(out.end(), (*scratch).passed.begin(), (*scratch).passed.end());
+    return inside;
+  }
+
+  bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
+    const SlabRay slabs(ray);
+    if (!meets(slabs, range)) return false;
+    const ScratchLease scratch;
+    Sweep(compiled_, *scratch, ray, slabs, range).run(false);
+    for (const Crossing& crossing : (*scratch).passed) {
+      if (!crossing.visible) continue;
+      out = crossing;
+      return true;
+    }
+    return false;
+  }
+
+  bool contains(Vec3 p) const override {
+    if (!compiled_.extent.contains(p)) return false;
+    const ScratchLease scratch;
+    Truth truth(compiled_, *scratch);
+    const auto ask = [&](std::uint32_t leaf) {
+      if (compiled_.leaves[leaf].sheet || !compiled_.leaves[leaf].interest.contains(p)) return;
+      truth.set_leaf(leaf, compiled_.placed[leaf].contains(p));
+    };
+    for (const std::uint32_t leaf : compiled_.required) {
+      ask(leaf);
+      if (!truth.leaf(leaf)) return false;
+    }
+    if (compiled_.hierarchy.bounds().empty()) {
+      for (const std::uint32_t leaf : compiled_.optional) ask(leaf);
+    } else {
+      compiled_.hierarchy.visit_at(p, [&](std::uint32_t i) { ask(compiled_.optional[i]); });
+    }
+    return truth.root();
+  }
+
+  Surface surface(const Ray& ray, const Crossing& crossing) const override {
+    return compiled_.placed[crossing.leaf].surface(ray, crossing);
+  }
+
+ private:
+  bool meets(const SlabRay& slabs, Interval range) const {
+    double entry = 0;
+    return slabs.meets(compiled_.extent, range, entry);
+  }
+
+  Compiled compiled_;
+};
+
+/// What contains nothing and has no surface.
+class Nothing final : public Shape {
+ public:
+  Bounds bounds() const override { return {}; }
+  bool crossings(const Ray&, Interval, Crossings&) const override { return false; }
+  bool contains(Vec3) const override { return false; }
+  Surface surface(const Ray&, const Crossing&) const override { return {}; }
+};
+
+Operation dual(Operation operation) {
+  const bool any = operation == Operation::kUnion || operation == Operation::kMerge;
+  return any ? Operation::kIntersection : Operation::kMerge;
+}
+
+}  // namespace
+
+void complement(Description& description, std::int32_t entry) {
+  std::vector<std::int32_t> pending{entry};
+  std::vector<bool> seen(description.nodes.size(), false);
+  while (!pending.empty()) {
+    const std::int32_t next = pending.back();
+    pending.pop_back();
+    if (next < 0) {
+      const auto leaf = static_cast<std::size_t>(~next);
+      if (leaf >= description.leaves.size()) continue;
+      description.leaves[leaf].complement = !description.leaves[leaf].complement;
+    } else if (const auto i = static_cast<std::size_t>(next); i < seen.size() && !seen[i]) {
+      seen[i] = true;
+      Node& node = description.nodes[i];
+      node.operation = dual(node.operation);
+      pending.insert(pending.end(), node.children.begin(), node.children.end());
+    }
+  }
+}
+
+ShapePtr build(Description description) {
+  Compiled compiled = compile(description);
+  if (compiled.only_leaf != kNone) {
+    const auto leaf = static_cast<std::uint32_t>(compiled.only_leaf);
+    return std::make_unique<PlacedShape>(std::move(compiled.placed[leaf]), leaf);
+  }
+  if (compiled.nodes.empty()) return std::make_unique<Nothing>();
+  return std::make_unique<Tree>(std::move(compiled));
+}
+
+}  // namespace dioptre::csg

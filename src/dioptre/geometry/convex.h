@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "dioptre/geometry/shape.h"
+
+namespace dioptre {
+
+/// The rounding unit of double arithmetic, the base of all error bounds.
+inline constexpr double kRounding = 0x1p-53;
+
+/// The stretch of a ray inside a convex solid. An end at infinity is no crossing.
+struct ConvexSpan {
+  Crossing enter{.t = -kInfinity, .entering = true};
+  Crossing exit{.t = kInfinity, .entering = false};
+
+  /// Cuts the span to the part inside one more convex set.
+  void clip_enter(double t, double error, std::uint32_t face, bool visible = true) {
+    if (t > enter.t)
+      enter = {.t = t, .error = error, .face = face, .entering = true, .visible = visible};
+  }
+  void clip_exit(double t, double error, std::uint32_t face, bool visible = true) {
+    if (t < exit.t)
+      exit = {.t = t, .error = error, .face = face, .entering = false, .visible = visible};
+  }
+  bool empty() const { return !(enter.t < exit.t); }
+};
+
+/// A convex solid: `Derived` has `bool span(const Ray&, ConvexSpan&) const`, false for a miss.
+template <class Derived>
+class ConvexShape : public Shape {
+ public:
+  bool crossings(const Ray& ray, Interval range, Crossings& out) const final {
+    ConvexSpan s;
+    if (!derived().span(ray, s) || s.empty()) return false;
+    if (range.surrounds(s.enter.t)) out.push_back(s.enter);
+    if (range.surrounds(s.exit.t)) out.push_back(s.exit);
+    return s.enter.t <= range.min && range.min < s.exit.t;
+  }
+
+  bool nearest(const Ray& ray, Interval range, Crossing& out) const final {
+    ConvexSpan s;
+    if (!derived().span(ray, s) || s.empty()) return false;
+    for (const Crossing& crossing : {s.enter, s.exit}) {
+      if (range.surrounds(crossing.t) && crossing.visible) {
+        out = crossing;
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+};
+
+}  // namespace dioptre

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace dioptre {
+
+/// A sign change of a polynomial on [0,1]: where, and whether it goes up (from negative to not).
+struct SignChange {
+  double s = 0;
+  bool rises = false;
+};
+
+/// The coefficients of a polynomial of degree N on [0,1] in the Bernstein basis: the first and the
+/// last are its values at 0 and 1, and it stays between the smallest and the largest.
+template <std::size_t N>
+using Bernstein = std::array<double, N + 1>;
+
+/// The sign changes on [0,1], at most N, in order. Zero counts as positive, so that the signs of
+/// the first and the last coefficient alone say whether their number is odd: pieces that share an
+/// end value can neither lose nor double a crossing there.
+template <std::size_t N>
+struct SignChanges {
+  std::array<SignChange, N> at{};
+  std::size_t count = 0;
+};
+
+/// True if all coefficients have one sign: the polynomial then has no sign change.
+template <std::size_t N>
+bool keeps_sign(const Bernstein<N>& b) {
+  std::size_t negative = 0;
+  for (const double c : b) negative += c < 0;
+  return negative == 0 || negative == N + 1;
+}
+
+/// Value and derivative in s of a polynomial in powers of s.
+template <std::size_t N>
+struct PowerBasis {
+  std::array<double, N + 1> c{};
+
+  explicit PowerBasis(const Bernstein<N>& b) {
+    std::array<double, N + 1> difference = b;  // forward differences, row by row
+    double binomial = 1;
+    for (std::size_t k = 0; k <= N; ++k) {
+      c[k] = binomial * difference[0];
+      for (std::size_t i = 0; i + k < N; ++i) difference[i] = difference[i + 1] - difference[i];
+      binomial = binomial * static_cast<double>(N - k) / static_cast<double>(k + 1);
+    }
+  }
+  double value(double s) const {
+    double v = c[N];
+    for (std::size_t k = N; k-- > 0;) v = v * s + c[k];
+    return v;
+  }
+  double slope(double s) const {
+    double v = static_cast<double>(N) * c[N];
+    for (std::size_t k = N - 1; k > 0; --k) v = v * s + static_cast<double>(k) * c[k];
+    return v;
+  }
+};
+
+/// The point of [low, high] where a polynomial that is monotone there goes through zero: Newton
+/// steps, halving where a step leaves the bracket.
+template <std::size_t N>
+double root_between(const PowerBasis<N>& p, double low, double high, bool rises) {
+  double s = 0.5 * (low + high);
+  for (int i = 0; i < 80; ++i) {
+    const double value = p.value(s);
+    ((value >= 0) == rises ? high : low) = s;
+    double next = s - value / p.slope(s);
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == s || std::fabs(next - s) <= 1e-17 || next <= low || next >= high) return next;
+    s = next;
+  }
+  return s;
+}
+
+/// Finds all sign changes: the polynomial is monotone between the sign changes of its derivative.
+template <std::size_t N>
+SignChanges<N> sign_changes(const Bernstein<N>& b) {
+  SignChanges<N> found;
+  if (keeps_sign<N>(b)) return found;
+  if constexpr (N == 1) {
+    found.at[0] = {b[0] / (b[0] - b[1]), b[0] < 0};
+    found.count = 1;
+  } else {
+    Bernstein<N - 1> derivative;
+    for (std::size_t i = 0; i < N; ++i) derivative[i] = b[i + 1] - b[i];
+    const SignChanges<N - 1> turns = sign_changes<N - 1>(derivative);
+    const PowerBasis<N> p(b);
+    double low = 0;
+    bool negative = b[0] < 0;
+    for (std::size_t i = 0; i <= turns.count; ++i) {
+      const bool last = i == turns.count;
+      const double high = last ? 1 : turns.at[i].s;
+      const bool negative_there = (last ? b[N] : p.value(high)) < 0;
+      if (negative_there != negative) {
+        found.at[found.count++] = {root_between<N>(p, low, high, negative), negative};
+      }
+      low = high;
+      negative = negative_there;
+    }
+  }
+  return found;
+}
+
+}  // namespace dioptre

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/integrators/atmosphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dioptre {
+namespace {
+
+/// The integral of the density of ground fog between two heights (in units of the fog's altitude
+/// above its offset), where the density is 1 below 0 and 1/(1 + h^2) above.
+double density_integral(double h) { return h <= 0 ? h : std::atan(h); }
+
+/// The mean density of ground fog along a stretch.
+double mean_density(const Fog& fog, const Ray& ray, double distance) {
+  const Vec3 up = normalize(fog.up);
+  const double start = dot(ray.origin, up) - fog.offset;
+  const double slope = dot(ray.direction, up);
+  if (fog.altitude <= 0) return start <= 0 ? 1 : 0;
+  const double h0 = start / fog.altitude, h1 = (start + slope * distance) / fog.altitude;
+  if (std::fabs(h1 - h0) > 1e-6) return (density_integral(h1) - density_integral(h0)) / (h1 - h0);
+  return h0 <= 0 ? 1 : 1 / (1 + h0 * h0);
+}
+
+/// How much of the light is lost, as an optical depth.
+double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, double distance) {
+  constexpr double kFar = 1e7;  // the sky's distance in the scene language
+  distance = std::min(distance, kFar);
+  double depth = distance / fog.distance;
+  if (fog.ground) depth *= mean_density(fog, ray, distance);
+  if (fog.turbulence == Vec3{}) return depth;
+  const Vec3 p = fog.turbulence * ray.at(std::min(distance, kFar) / 2);
+  const Vec3 turbulence = scene.textures().turbulence(p, fog.octaves, fog.omega, fog.lambda);
+  return depth * (1 - std::min(1.0, length(turbulence)) * fog.turb_depth);
+}
+
+}  // namespace
+
+FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance) {
+  FogEffect effect;
+  for (const Fog& fog : scene.scene().atmosphere.fogs) {
+    if (fog.distance <= 0) continue;
+    const auto through =
+        std::max(static_cast<float>(std::exp(-optical_depth(scene, fog, ray, distance))),
+                 fog.color.transmit);
+    const float filter = fog.color.filter;
+    const Color tint = Color{1, 1, 1} * (1 - filter) + fog.color.color * filter;
+    effect.added = effect.added * (tint * through) + fog.color.color * (1 - through);
+    effect.transmittance *= tint * through;
+  }
+  return effect;
+}
+
+Color sky_radiance(const RenderScene& scene, Vec3 direction) {
+  const Atmosphere& atmosphere = scene.scene().atmosphere;
+  Color radiance, filter{1, 1, 1};
+  for (const SkySphere& sky : atmosphere.sky_spheres) {
+    const auto to_sky = inverse(sky.transform);
+    const Vec3 point = to_sky ? to_sky->point(direction) : direction;
+    for (std::size_t i = sky.pigments.size(); i-- > 0;) {
+      const PigmentColor layer = scene.textures().pigment(sky.pigments[i], point);
+      radiance += filter * sky.emission * layer.color * layer.opacity();
+      filter *= layer.transmittance();
+    }
+  }
+  return radiance + filter * atmosphere.background;
+}
+
+}  // namespace dioptre

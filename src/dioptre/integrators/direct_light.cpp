@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/integrators/direct_light.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "dioptre/integrators/spawn.h"
+
+namespace dioptre {
+namespace {
+
+/// The weighted mean of a function over a grid of samples: blocks of the grid are halved, and a
+/// smallest block counts the mean of its corners, so the samples at the edges count half. A block
+/// whose corners agree is not halved once `adaptive` halvings lie behind it; a negative number
+/// halves always. (Measured: corners agree up to a sum of 0.1 over the channels.)
+template <class Sample>
+class GridMean {
+ public:
+  GridMean(const AreaLight& area, Sample sample)
+      : area_(area),
+        sample_(std::move(sample)),
+        known_(std::size_t{area.size1} * area.size2),
+        values_(known_.size()) {}
+
+  Color mean() { return block(0, 0, area_.size1 - 1, area_.size2 - 1, 0); }
+
+ private:
+  Color at(std::uint32_t i, std::uint32_t j) {
+    const std::size_t index = std::size_t{j} * area_.size1 + i;
+    if (!known_[index]) {
+      known_[index] = true;
+      values_[index] = sample_(i, j);
+    }
+    return values_[index];
+  }
+
+  Color block(std::uint32_t i0, std::uint32_t j0, std::uint32_t i1, std::uint32_t j1, int level) {
+    const Color a = at(i0, j0), b = at(i1, j0), c = at(i0, j1), d = at(i1, j1);
+    const bool smallest = i1 - i0 <= 1 && j1 - j0 <= 1;
+    const bool may_stop = area_.adaptive >= 0 && level >= area_.adaptive;
+    if (smallest || (may_stop && alike(a, b) && alike(a, c) && alike(a, d) && alike(b, c))) {
+      return (a + b + c + d) * 0.25f;
+    }
+    // Neighbouring halves share the middle sample where there is one.
+    const std::uint32_t i = (i0 + i1) / 2, i_next = (i0 + i1 + 1) / 2;
+    const std::uint32_t j = (j0 + j1) / 2, j_next = (j0 + j1 + 1) / 2;
+    return (block(i0, j0, i, j, level + 1) + block(i_next, j0, i1, j, level + 1) +
+            block(i0, j_next, i, j1, level + 1) + block(i_next, j_next, i1, j1, level + 1)) *
+           0.25f;
+  }
+
+  static bool alike(Color a, Color b) {
+    const Color d = a - b;
+    return std::fabs(d.r) + std::fabs(d.g) + std::fabs(d.b) <= 0.1f;
+  }
+
+  const AreaLight& area_;
+  Sample sample_;
+  std::vector<bool> known_;
+  std::vector<Color> values_;
+};
+
+}  // namespace
+
+DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& options)
+    : scene_(scene), shadows_(options.quality >= 4) {
+  for (const Light& light : scene.scene().lights) lights_.emplace_back(light);
+}
+
+Color DirectLight::along(Vec3 to_light, double distance, const SurfaceInteraction& at,
+                         RayCounts& counts) const {
+  ++counts.shadow;
+  return scene_.transmittance(spawn_ray(at, to_light), {0, distance});
+}
+
+Color DirectLight::to_point(Vec3 light_position, const SurfaceInteraction& at,
+                            RayCounts& counts) const {
+  const Vec3 to_light = light_position - at.surface.position;
+  const double distance = length(to_light);
+  return distance > 0 ? along(to_light / distance, distance, at, counts) : Color{1, 1, 1};
+}
+
+Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
+                              const SurfaceInteraction& at, RayCounts& counts) const {
+  const Light& light = source.light();
+  if (light.shadowless || !shadows_) return {1, 1, 1};
+  if (!light.is_area) return along(illumination.to_light, illumination.distance, at, counts);
+  const auto sample = [&](std::uint32_t i, std::uint32_t j) {
+    return to_point(source.sample(i, j, at.surface.position), at, counts);
+  };
+  return GridMean(light.area, sample).mean();
+}
+
+}  // namespace dioptre

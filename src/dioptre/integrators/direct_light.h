@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "dioptre/integrators/integrator.h"
+#include "dioptre/lights/light_source.h"
+#include "dioptre/render/render_scene.h"
+
+namespace dioptre {
+
+/// The lights of a scene with their shadows.
+class DirectLight {
+ public:
+  DirectLight(const RenderScene& scene, const IntegratorOptions& options);
+
+  const std::vector<LightSource>& lights() const { return lights_; }
+
+  /// The share of a light that reaches a surface point past everything in between; for an area
+  /// light the mean over its samples.
+  Color visibility(const LightSource& light, const Illumination& illumination,
+                   const SurfaceInteraction& at, RayCounts& counts) const;
+
+ private:
+  Color to_point(Vec3 light_position, const SurfaceInteraction& at, RayCounts& counts) const;
+  Color along(Vec3 to_light, double distance, const SurfaceInteraction& at,
+              RayCounts& counts) const;
+
+  const RenderScene& scene_;
+  std::vector<LightSource> lights_;
+  bool shadows_;
+};
+
+}  // namespace dioptre

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "dioptre/core/color.h"
+#include "dioptre/core/ray.h"
+#include "dioptre/core/result.h"
+#include "dioptre/render/render_scene.h"
+
+namespace dioptre {
+
+/// What a camera ray brings back.
+struct Radiance {
+  Color color;
+  float alpha = 1;  ///< the share of the ray that ended on objects, not in the background
+};
+
+/// How many rays of each kind were traced.
+struct RayCounts {
+  std::uint64_t camera = 0, secondary = 0, shadow = 0;
+  std::uint64_t total() const { return camera + secondary + shadow; }
+  RayCounts& operator+=(const RayCounts& b) {
+    camera += b.camera, secondary += b.secondary, shadow += b.shadow;
+    return *this;
+  }
+};
+
+/// Computes the light that comes along a ray from the eye. Immutable; used by all threads at once.
+class RayIntegrator {
+ public:
+  virtual ~RayIntegrator() = default;
+  virtual Radiance radiance(const Ray& camera_ray, RayCounts& counts) const = 0;
+};
+
+/// Which parts of the light transport are computed.
+struct IntegratorOptions {
+  std::uint32_t quality = 9;  ///< 0 to 11, as in POV-Ray's +Q: 4 adds shadows, 8 reflection
+};
+
+/// The names that make_integrator knows, the default first.
+std::span<const std::string_view> integrator_names();
+
+/// An unknown name is an error that lists the names.
+Result<std::unique_ptr<const RayIntegrator>> make_integrator(std::string_view name,
+                                                             const RenderScene& scene,
+                                                             const IntegratorOptions& options);
+
+}  // namespace dioptre

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "dioptre/core/result.h"
+#include "dioptre/film/antialias.h"
+#include "dioptre/film/image.h"
+#include "dioptre/integrators/integrator.h"
+#include "dioptre/scene/scene.h"
+
+namespace dioptre {
+
+/// A rectangle of pixels, ends excluded.
+struct PixelRegion {
+  std::uint32_t first_column = 0, first_row = 0;
+  std::uint32_t end_column = 0, end_row = 0;
+};
+
+/// How to make the picture: what is not in the scene.
+struct RenderOptions {
+  std::uint32_t width = 320, height = 240;
+  /// The part to render; the rest stays black. Cut to the image; all of it if empty.
+  PixelRegion region;
+  AntialiasSettings antialias;
+  IntegratorOptions integrator_options;
+  std::string integrator = "whitted";
+  std::string accelerator = "bvh";
+  std::uint32_t threads = 0;  ///< 0: as many as there are cores
+};
+
+/// The state of a render, for a progress line.
+struct RenderProgress {
+  double done = 0;  ///< share of all work, 0 to 1
+  RayCounts rays;
+};
+
+/// What the surroundings give to a render.
+struct RenderContext {
+  const std::atomic<bool>* cancel = nullptr;
+  std::function<void(const RenderProgress&)> progress;  ///< from any thread, one call at a time
+};
+
+struct RenderResult {
+  Image image;
+  RayCounts rays;
+  bool cancelled = false;  ///< the image is not complete
+};
+
+/// Compiles the scene and renders it. The image does not depend on the number of threads.
+Result<RenderResult> render_image(const Scene& scene, const RenderOptions& options,
+                                  const RenderContext& context);
+
+}  // namespace dioptre

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/integrators/whitted.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "dioptre/integrators/atmosphere.h"
+#include "dioptre/integrators/spawn.h"
+#include "dioptre/shading/attenuation.h"
+#include "dioptre/shading/finish.h"
+
+namespace dioptre {
+namespace {
+
+Vec3 facing(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -normal : normal; }
+
+/// The mirror direction at a disturbed normal. A normal that faces away gives way to the true one,
+/// and what would go below the surface is turned up again (measured).
+Vec3 mirror_direction(Vec3 direction, Vec3 normal, Vec3 true_normal) {
+  if (dot(direction, normal) > 0) normal = true_normal;
+  Vec3 mirrored = reflect(direction, normal);
+  const double below = dot(mirrored, true_normal);
+  if (below < 0) mirrored -= 2 * below * true_normal;
+  return normalize(mirrored);
+}
+
+double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
+
+}  // namespace
+
+/// What one thread needs at hand, by depth of recursion; grows once and stays.
+struct Whitted::Scratch {
+  std::deque<TextureSample> samples;
+  std::uint32_t depth = 0;
+  RayCounts counts;
+};
+
+Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
+    : scene_(scene), direct_(scene, options), reflections_(options.quality >= 8) {
+  const Vec3 eye = scene.scene().camera.location;
+  for (const Item& item : scene.items()) {
+    const InteriorId interior = scene.interior(item);
+    if ((interior || !item.hollow) && item.shape->contains(eye)) {
+      camera_media_.enter(MediaStack::entry(interior, &item), item.hollow);
+    }
+  }
+}
+
+Radiance Whitted::radiance(const Ray& camera_ray, RayCounts& counts) const {
+  thread_local Scratch scratch;
+  scratch.counts = {};
+  scratch.depth = 0;
+  Path path;
+  path.ray = camera_ray;
+  path.media = camera_media_;
+  const Radiance result = trace(std::move(path), scratch);
+  scratch.counts.camera = 1;
+  counts += scratch.counts;
+  return result;
+}
+
+bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
+  const Settings& settings = scene_.scene().settings;
+  return level < settings.max_trace_level &&
+         max_component(weight) >= static_cast<float>(settings.adc_bailout);
+}
+
+/// Follows one ray through all surfaces it goes straight or bent through; what is mirrored on the
+/// way is traced by recursion.
+Radiance Whitted::trace(Path path, Scratch& scratch) const {
+  if (scratch.samples.size() <= scratch.depth) scratch.samples.emplace_back();
+  TextureSample& sample = scratch.samples[scratch.depth];
+  Color radiance, through{1, 1, 1};
+  while (true) {
+    Hit hit;
+    const bool found = scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit);
+    const double distance = found ? hit.crossing.t : kInfinity;
+    if (path.media.in_atmosphere()) {
+      const FogEffect fog = fog_effect(scene_, path.ray, distance);
+      radiance += through * fog.added;
+      through *= fog.transmittance;
+    }
+    if (!found) {
+      radiance += through * sky_radiance(scene_, path.ray.direction);
+      return {radiance, 1 - max_component(through)};
+    }
+    for (const MediaStack::Entry& medium : path.media) {
+      if (medium.interior) {
+        through *= attenuation(at(scene_.scene().interiors, medium.interior), distance);
+      }
+    }
+    SurfaceInteraction at = scene_.interaction(path.ray, hit);
+    const bool from_inside = dot(at.surface.normal, path.ray.direction) > 0;
+    at.surface.normal = facing(at.surface.normal, path.ray.direction);
+    at.surface.shading_normal = facing(at.surface.shading_normal, path.ray.direction);
+    scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
+
+    const Path before = path;
+    bool goes_on = false;
+    Color next_through;
+    for (std::size_t i = 0; i < sample.stacks.size(); ++i) {
+      const TextureSample::Stack stack = sample.stacks[i];
+      Color transmitted;
+      radiance += through * shade(at, stack, before, scratch, transmitted) * stack.weight;
+      if (is_black(transmitted)) continue;
+      Path next = before;
+      const Vec3 normal = sample.layers[stack.first].normal;
+      if (!transmit(at, hit, normal, transmitted * stack.weight, next)) continue;
+      if (i + 1 == sample.stacks.size()) {
+        path = next;
+        next_through = through * transmitted * stack.weight;
+        goes_on = true;
+      } else {
+        ++scratch.depth;
+        radiance += through * transmitted * stack.weight * trace(next, scratch).color;
+        --scratch.depth;
+      }
+    }
+    if (!goes_on) return {radiance, 1};
+    through = next_through;
+  }
+}
+
+/// The light of one stack of layers by itself and by its mirrors; `transmitted` becomes the share
+/// of the light from behind that comes through all layers.
+Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& stack,
+                     const Path& path, Scratch& scratch, Color& transmitted) const {
+  const auto layer = [&](std::uint32_t i) -> const SurfaceLayer& {
+    return scratch.samples[scratch.depth].layers[stack.first + i];
+  };
+  const Color ambient_light = scene_.scene().settings.ambient_light;
+  Color radiance;
+  Color filter{1, 1, 1};
+  for (std::uint32_t i = 0; i < stack.count; ++i) {
+    radiance += filter * glow(layer(i), ambient_light);
+    filter *= layer(i).pigment.transmittance();
+  }
+  for (const LightSource& light : direct_.lights()) {
+    radiance += light_from(light, at, stack, path, scratch);
+  }
+  transmitted = reflections_ ? filter : Color{};
+  for (std::uint32_t i = 0; i < stack.count && reflections_; ++i) {
+    const Color share = reflectance(layer(i), path.ray.direction, ior_ratio(at, path));
+    if (is_black(share)) continue;
+    if (layer(i).finish->conserve_energy) transmitted *= Color{1, 1, 1} - share;
+    radiance += share * mirrored(at, layer(i).normal, share * stack.weight, path, scratch);
+  }
+  return radiance;
+}
+
+/// The light of one source, shaded by every layer of the stack. The shadow is looked for once, and
+/// only if a layer can show the light.
+Color Whitted::light_from(const LightSource& light, const SurfaceInteraction& at,
+                          const TextureSample::Stack& stack, const Path& path,
+                          Scratch& scratch) const {
+  const auto illumination = light.illuminate(at.surface.position);
+  if (!illumination) return {};
+  Color radiance, filter{1, 1, 1};
+  const TextureSample& sample = scratch.samples[scratch.depth];
+  for (std::uint32_t i = 0; i < stack.count; ++i) {
+    const SurfaceLayer& layer = sample.layers[stack.first + i];
+    const LightGeometry geometry{layer.normal, -path.ray.direction, illumination->to_light};
+    radiance += filter * reflected_light(layer, geometry, at.part->double_illuminate,
+                                         light.light().shadowless);
+    filter *= layer.pigment.transmittance();
+  }
+  if (is_black(radiance)) return {};
+  radiance *= illumination->intensity;
+  if (max_component(radiance * path.weight) <= 0) return {};
+  return radiance * direct_.visibility(light, *illumination, at, scratch.counts);
+}
+
+/// What a surface mirrors at a normal; black where the ray would count for too little.
+Color Whitted::mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,
+                        Scratch& scratch) const {
+  Path mirrored = path;
+  mirrored.weight = path.weight * share;
+  if (!may_spawn(mirrored.weight, path.level)) return {};
+  mirrored.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+  mirrored.level = path.level + 1;
+  mirrored.purpose = RayPurpose::kReflection;
+  ++scratch.counts.secondary;
+  ++scratch.depth;
+  const Color radiance = trace(std::move(mirrored), scratch).color;
+  --scratch.depth;
+  return radiance;
+}
+
+/// Sends the path on through the surface: bent by Snell's law, mirrored where nothing can leave.
+/// False if the ray would count for too little.
+bool Whitted::transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Color share,
+                       Path& path) const {
+  path.weight *= share;
+  if (!may_spawn(path.weight, path.level)) return false;
+  const MediaStack::Entry entry = MediaStack::entry(at.part->interior, hit.item);
+  const double before = ior_of(scene_.scene(), path.media.top());
+  MediaStack beyond = path.media;
+  if (beyond.contains(entry)) {
+    beyond.leave(entry);
+  } else if (hit.item->shape->solid()) {
+    beyond.enter(entry, hit.item->hollow);
+  }
+  const double ratio = before / ior_of(scene_.scene(), beyond.top());
+  if (ratio == 1) {
+    path.ray = spawn_ray(at, path.ray.direction);
+    path.media = beyond;
+    return true;
+  }
+  ++path.level;
+  if (const auto refracted = refract(path.ray.direction, normal, ratio)) {
+    path.ray = spawn_ray(at, *refracted);
+    path.media = beyond;
+  } else {
+    path.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+  }
+  return true;
+}
+
+}  // namespace dioptre

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "dioptre/integrators/direct_light.h"
+#include "dioptre/integrators/integrator.h"
+#include "dioptre/integrators/media_stack.h"
+
+namespace dioptre {
+
+/// Recursive ray tracing with the scene language's rules (T. Whitted, "An Improved Illumination
+/// Model for Shaded Display", 1980): local light with shadows, mirror reflection, refraction.
+/// A ray is followed while its weight is at least adc_bailout and its level below max_trace_level;
+/// going straight through a surface is no new level.
+class Whitted final : public RayIntegrator {
+ public:
+  Whitted(const RenderScene& scene, const IntegratorOptions& options);
+
+  Radiance radiance(const Ray& camera_ray, RayCounts& counts) const override;
+
+ private:
+  /// A ray on its way, and what it may still add to its pixel.
+  struct Path {
+    Ray ray;
+    Color weight{1, 1, 1};  ///< from this ray to the pixel
+    std::uint32_t level = 1;
+    RayPurpose purpose = RayPurpose::kCamera;
+    MediaStack media;
+  };
+  struct Scratch;
+
+  Radiance trace(Path path, Scratch& scratch) const;
+  Color shade_layers(const SurfaceInteraction& at, const TextureSample::Stack& stack,
+                     const Path& path, Scratch& scratch, std::uint32_t depth) const;
+  bool transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Color share,
+                Path& path) const;
+  bool may_spawn(Color weight, std::uint32_t level) const;
+
+  const RenderScene& scene_;
+  DirectLight direct_;
+  MediaStack camera_media_;
+  bool reflections_;
+};
+
+}  // namespace dioptre

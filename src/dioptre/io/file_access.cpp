@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/io/file_access.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace dioptre {
+namespace fs = std::filesystem;
+namespace {
+
+/// Links and dots resolved, as far as the path exists. Empty if that fails.
+std::string resolved(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? std::string() : result.string();
+}
+
+bool is_below(const std::string& path, const std::string& folder) {
+  if (folder.empty() || folder == "/" || !path.starts_with(folder)) return false;
+  return path.size() == folder.size() || folder.back() == '/' || path[folder.size()] == '/';
+}
+bool is_below_any(const std::string& path, const std::vector<std::string>& folders) {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const std::string& folder) { return is_below(path, folder); });
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+bool same_but_case(const std::string& a, const std::string& b) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
+           return std::tolower(static_cast<unsigned char>(x)) ==
+                  std::tolower(static_cast<unsigned char>(y));
+         });
+}
+
+/// The path below `folder` whose parts are those of `name` but for upper and lower case; the first
+/// in alphabetical order; empty if there is none.
+fs::path find_other_case(const fs::path& folder, const fs::path& name) {
+  fs::path path = folder;
+  for (const fs::path& part : name) {
+    std::error_code error;
+    if (part == "." || part == ".." || fs::exists(path / part, error)) {
+      path /= part;
+      continue;
+    }
+    std::string best;
+    for (fs::directory_iterator entry(path, error), end; !error && entry != end;
+         entry.increment(error)) {
+      const std::string file = entry->path().filename().string();
+      if (same_but_case(file, part.string()) && (best.empty() || file < best)) best = file;
+    }
+    if (best.empty()) return {};
+    path /= best;
+  }
+  return is_file(path) ? path : fs::path();
+}
+
+void add(std::vector<std::string>& folders, const std::string& folder) {
+  const std::string path = resolved(folder.empty() ? "." : folder);
+  if (!path.empty() && std::find(folders.begin(), folders.end(), path) == folders.end()) {
+    folders.push_back(path);
+  }
+}
+
+}  // namespace
+
+FileAccess::FileAccess(Options options) : options_(std::move(options)), current_(resolved(".")) {
+  add(search_, options_.scene_folder);
+  add(search_, ".");
+  for (const std::string& path : options_.library_paths) add(search_, path);
+  writable_ = {resolved(options_.scene_folder.empty() ? "." : options_.scene_folder), current_};
+  for (const std::string& path : options_.writable_paths) add(writable_, path);
+  readable_ = search_;
+  for (const std::string& path : options_.readable_paths) add(readable_, path);
+  for (const std::string& path : writable_) add(readable_, path);
+  if (!options_.scene_file.empty()) scene_file_ = resolved(options_.scene_file);
+}
+
+bool FileAccess::may_read(const std::string& path) const { return is_below_any(path, readable_); }
+
+Result<FileAccess::Found> FileAccess::find(const std::string& name) const {
+  if (name.empty()) return fail("a file name is empty");
+  if (name.find('\0') != std::string::npos) return fail("a file name has a zero byte in it");
+  const fs::path wanted(name);
+  const std::vector<std::string> folders =
+      wanted.is_absolute() ? std::vector<std::string>{"/"} : search_;
+  for (const bool other_case : {false, true}) {
+    for (const std::string& folder : folders) {
+      if (wanted.is_absolute() && other_case) break;
+      const fs::path path =
+          other_case ? find_other_case(folder, wanted) : fs::path(folder) / wanted;
+      if (path.empty() || !is_file(path)) continue;
+      const std::string real = resolved(path);
+      if (!may_read(real)) {
+        return fail("'" + name + "' may not be read: it is outside the folders of this scene");
+      }
+      return Found{real, other_case};
+    }
+  }
+  std::string places;
+  if (!wanted.is_absolute()) {
+    for (const std::string& folder : search_) places += (places.empty() ? "" : ", ") + folder;
+    places = "; looked in " + places;
+  }
+  return fail("cannot find the file '" + name + "'" + places);
+}
+
+Result<std::string> FileAccess::read(const std::string& path, std::uint64_t most_bytes) const {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return fail("'" + path + "' is a folder, not a file");
+  if (!is_file(path)) return fail("cannot open '" + path + "'");
+  const std::uint64_t size = fs::file_size(path, error);
+  if (error) return fail("cannot open '" + path + "'");
+  if (size > most_bytes) return fail("'" + path + "' is larger than " + std::to_string(most_bytes) +
+                                     " bytes");
+  std::ifstream in(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!in || !in.read(text.data(), static_cast<std::streamsize>(size))) {
+    return fail("cannot read '" + path + "'");
+  }
+  return text;
+}
+
+Result<std::string> FileAccess::writable(const std::string& name) const {
+  if (name.empty()) return fail("a file name is empty");
+  if (name.find('\0') != std::string::npos) return fail("a file name has a zero byte in it");
+  const std::string path = resolved(name);
+  if (path.empty() || !is_below_any(path, writable_)) {
+    return fail("'" + name + "' may not be written: it is outside the folders of this scene");
+  }
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (path == scene_file_ || (ending == ".pov" && is_file(path))) {
+    return fail("'" + name + "' may not be written: it is a scene");
+  }
+  return path;
+}
+
+}  // namespace dioptre

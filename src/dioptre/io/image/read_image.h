@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "dioptre/core/result.h"
+#include "dioptre/scene/image_source.h"
+
+namespace dioptre {
+
+/// How the values of an image file become linear light, and how large it may be.
+struct ReadImageOptions {
+  /// Wins over what the file and its format say: light is value^gamma. 1 reads values as they are.
+  std::optional<double> gamma;
+  /// The version of the scene language: under 3.7 only a gamma written in the file is applied, else
+  /// values without one are decoded as their format has it (PNG and JPEG: sRGB).
+  double language_version = 3.7;
+  /// Larger images are refused before any memory is taken.
+  std::uint64_t max_pixels = std::uint64_t{1} << 28;
+};
+
+/// Reads PNG, JPEG, TIFF, PNM (PGM, PPM), OpenEXR, Radiance HDR, GIF, TGA and BMP, known by their
+/// content (TGA: by its name). Alpha and OpenEXR and HDR values are taken as they are. The error
+/// names the file, the reason and, where known, the byte offset; it never quotes the file.
+Result<ImageData> read_image(const std::string& path, const ReadImageOptions& options);
+
+}  // namespace dioptre

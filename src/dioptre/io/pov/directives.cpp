@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which directive does what; messages, #include, #version, #default.
+#include "dioptre/core/expression_eval.h"
+#include "dioptre/io/pov/interpreter.h"
+
+namespace dioptre::pov {
+namespace {
+
+constexpr std::uint64_t kMostSourceBytes = 256u << 20;
+constexpr std::size_t kMostIncludes = 200;
+
+}  // namespace
+
+void Interpreter::run_directive(const Token& token) {
+  const Nesting guard(*this);
+  // What comes before a value under way must not be taken for its end.
+  const auto keyword = static_cast<Keyword>(std::min(token.index, kKeywordCount));
+  skip_raw();
+  switch (keyword) {
+    case Keyword::kDeclare: return run_declare(false);
+    case Keyword::kLocal: return run_declare(true);
+    case Keyword::kUndef: return run_undef();
+    case Keyword::kIf: return run_if(token);
+    case Keyword::kIfdef: return run_ifdef(token, true);
+    case Keyword::kIfndef: return run_ifdef(token, false);
+    case Keyword::kElse:
+    case Keyword::kElseif:
+    case Keyword::kCase:
+    case Keyword::kRange: return run_else(token);
+    case Keyword::kEnd: return run_end(token);
+    case Keyword::kWhile: return run_while(token);
+    case Keyword::kFor: return run_for(token);
+    case Keyword::kSwitch: return run_switch(token);
+    case Keyword::kBreak: return run_break(token);
+    case Keyword::kMacro: return run_macro(token);
+    case Keyword::kInclude: return run_include();
+    case Keyword::kVersion: return run_version();
+    case Keyword::kDefault: return run_default();
+    case Keyword::kDebug:
+    case Keyword::kRender:
+    case Keyword::kStatistics:
+    case Keyword::kWarning:
+    case Keyword::kError: return run_message(keyword);
+    case Keyword::kFopen: return run_fopen();
+    case Keyword::kFclose: return run_fclose();
+    case Keyword::kRead: return run_read();
+    case Keyword::kWrite: return run_write();
+    default:
+      if (symbols_.name(token.index).empty()) return warn("a '#' without a directive: ignored");
+      fail_at(token.position, "'#" + symbols_.name(token.index) + "' is no directive");
+  }
+}
+
+/// The text goes out as it is; the application prints it.
+void Interpreter::run_message(Keyword keyword) {
+  const SourcePosition where = (cursor_ - 1)->position;
+  std::string text = parse_string();
+  written_ += text.size() + 1;
+  if (written_ > options_.budgets.written_bytes) {
+    over_budget(std::to_string(options_.budgets.written_bytes) + " bytes of messages and files",
+                "max-written-bytes");
+  }
+  ++effects_;
+  if (keyword == Keyword::kError) fail_at(where, std::move(text));
+  if (keyword == Keyword::kWarning) {
+    diagnostics_.report(diagnostic(Severity::kWarning, where, std::move(text)));
+    return;
+  }
+  Diagnostic note;
+  note.severity = Severity::kNote;
+  note.message = std::move(text);
+  diagnostics_.report(std::move(note));
+}
+
+std::shared_ptr<const Program> Interpreter::load_program(const std::string& name) {
+  const std::string path = find_file(name);
+  if (const auto known = cache_.find(path); known != cache_.end()) return known->second;
+  Result<std::string> text = access_.read(path, kMostSourceBytes);
+  if (!text) fail(text.error().message);
+  const auto file = static_cast<std::uint32_t>(programs_.size());
+  auto program = std::make_shared<Program>(lex(name, std::move(*text), file, symbols_));
+  programs_.push_back(program);
+  source_map_.files.push_back(name);
+  cache_[path] = program;
+  return program;
+}
+
+std::string Interpreter::find_file(const std::string& name) {
+  std::string wanted = name;
+  for (char& c : wanted) {
+    if (c == '\\') c = '/';
+  }
+  Result<FileAccess::Found> file = access_.find(wanted);
+  if (!file) fail(file.error().message);
+  if (wanted != name) warn("'\\' in the file name '" + name + "' is read as '/'");
+  if (file->other_case) {
+    warn("the file '" + name + "' was found in other upper or lower case: " + file->path);
+  }
+  return file->path;
+}
+
+void Interpreter::run_include() {
+  const SourcePosition where = (cursor_ - 1)->position;
+  ready_ = false;
+  const std::string name = parse_file_name();
+  std::size_t files = 0;
+  for (const Frame& frame : frames_) files += !frame.macro;
+  if (files >= kMostIncludes) {
+    fail_at(where, "more than " + std::to_string(kMostIncludes) + " files include each other");
+  }
+  if (frames_.size() + nesting_ >= options_.budgets.nesting) {
+    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
+  }
+  const auto program = load_program(name);
+  ++effects_;
+  frames_.push_back({program_, cursor_, nullptr, where, blocks_.size(), {}});
+  scopes_.enter();
+  program_ = program.get();
+  cursor_ = program_->tokens.data();
+  ready_ = false;
+}
+
+void Interpreter::run_version() {
+  const SourcePosition where = cursor_->position;
+  const double wanted = as_float(sum());
+  if (!(wanted >= 0 && wanted <= 3.85)) {
+    fail_at(where, "this is POV-Ray 3.7's language, version " + formatted(wanted, 0, 1) +
+                       " is not known");
+  }
+  if (wanted > 3.75) warn("version 3.8 is read as 3.7");
+  // A semicolon may be taken only if it is here: what follows may depend on the new version.
+  version_ = wanted > 3.75 ? 3.7 : wanted;
+  scene_.settings.language_version = version_;
+  version_given_ = true;
+  ++effects_;
+  if (!pending_ && cursor_->is(';')) skip_raw();
+}
+
+void Interpreter::run_default() {
+  ++effects_;
+  parse_default(*this);
+}
+
+}  // namespace dioptre::pov

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+
+#include "dioptre/render/solid_builder.h"
+#include "dioptre/scene/all_patterns.h"
+
+namespace dioptre {
+namespace {
+
+/// True if the children of an object can stand in the scene on their own: a union keeps all
+/// surfaces of its children, so nothing is lost.
+bool splits(const Object& object) {
+  const Csg* csg = std::get_if<Csg>(&object.geometry);
+  return csg && csg->operation == CsgOperation::kUnion && !object.inverse &&
+         object.clipped_by.empty();
+}
+
+}  // namespace
+
+/// Turns the description into items, parts and structures.
+class Compiler {
+ public:
+  Compiler(const Scene& scene, RenderScene& out) : scene_(scene), out_(out), shapes_(scene) {}
+
+  Result<void> add_all() {
+    Inherited world;
+    world.texture = world.interior_texture = scene_.default_texture;
+    for (const ObjectId root : scene_.roots) {
+      if (auto added = add(root, world); !added) return added;
+    }
+    out_.shapes_ = shapes_.take();
+    return {};
+  }
+
+  Result<void> finish(const CompileOptions& options) {
+    for (std::uint32_t i = 0; i < out_.items_.size(); ++i) {
+      Item& item = out_.items_[i];
+      bool interior = false;
+      for (std::uint32_t p = 0; p < item.part_count; ++p) {
+        const Part& part = out_.parts_[item.first_part + p];
+        item.opaque = item.opaque && opaque(part);
+        interior = interior || part.interior;
+      }
+      if (interior && item.shape->solid()) out_.interior_items_.push_back(i);
+    }
+    std::vector<Bounds> boxes;
+    boxes.reserve(out_.items_.size());
+    for (const Item& item : out_.items_) boxes.push_back(item.shape->bounds());
+    auto accelerator = make_accelerator(options.accelerator, boxes);
+    if (!accelerator) return tl::unexpected(accelerator.error());
+    out_.accelerator_ = std::move(*accelerator);
+    return {};
+  }
+
+ private:
+  Result<void> add(ObjectId id, const Inherited& from) {
+    const Object& object = at(scene_.objects, id);
+    if (splits(object)) {
+      const Inherited own = inherit(from, object);
+      for (const ObjectId child : std::get<Csg>(object.geometry).children) {
+        if (auto added = add(child, own); !added) return added;
+      }
+      return {};
+    }
+    auto solid = build_solid(scene_, shapes_, id, from);
+    if (!solid) return tl::unexpected(solid.error());
+    const Inherited own = inherit(from, object);
+    Item item;
+    item.shape = std::move(solid->shape);
+    item.first_part = static_cast<std::uint32_t>(out_.parts_.size());
+    item.part_count = static_cast<std::uint32_t>(solid->parts.size());
+    item.hollow = own.hollow;
+    item.no_shadow = own.no_shadow;
+    item.no_image = own.no_image;
+    item.no_reflection = own.no_reflection;
+    for (std::size_t i = 0; i < solid->parts.size(); ++i) {
+      Part part = solid->parts[i];
+      auto index = placement(solid->texture_to_world[i]);
+      if (!index) return tl::unexpected(index.error());
+      part.placement = *index;
+      out_.parts_.push_back(part);
+    }
+    out_.items_.push_back(std::move(item));
+    return {};
+  }
+
+  /// Neighbours in the file mostly share the placement of their texture, so looking at the last one
+  /// is enough to keep the list short.
+  Result<std::uint32_t> placement(const Affine& to_world) {
+    auto& all = out_.placements_;
+    if (all.empty() || !(all.back().to_world == to_world)) {
+      const auto to_object = inverse(to_world);
+      if (!to_object) return fail("a texture is flattened by a singular transform");
+      all.push_back({to_world, *to_object});
+    }
+    return static_cast<std::uint32_t>(all.size() - 1);
+  }
+
+  bool opaque(const Part& part) const {
+    const auto lets_nothing_through = [&](TextureId id) { return out_.textures_->opaque(id); };
+    const Object& object = at(scene_.objects, part.object);
+    for (const TextureId id : object.part_textures) {
+      if (!lets_nothing_through(id)) return false;
+    }
+    return lets_nothing_through(part.texture) && lets_nothing_through(part.interior_texture);
+  }
+
+  const Scene& scene_;
+  RenderScene& out_;
+  PreparedShapes shapes_;
+};
+
+namespace {
+
+/// The solids that `object` patterns ask about, built once and kept alive by the test itself.
+Result<InsideTest> make_inside_test(const Scene& scene) {
+  auto shapes = std::make_shared<PreparedShapes>(scene);
+  auto solids = std::make_shared<std::map<ObjectId, Solid>>();
+  const auto add = [&](const Pattern& pattern) -> Result<void> {
+    const auto* data = std::get_if<ObjectPattern>(&pattern.data);
+    if (!data || solids->contains(data->object)) return {};
+    auto solid = build_solid(scene, *shapes, data->object, {});
+    if (!solid) return tl::unexpected(solid.error());
+    solids->emplace(data->object, std::move(*solid));
+    return {};
+  };
+  for (const Pattern* pattern : all_patterns(scene)) {
+    if (auto added = add(*pattern); !added) return tl::unexpected(added.error());
+  }
+  return InsideTest([shapes, solids](ObjectId id, Vec3 p) {
+    const auto found = solids->find(id);
+    return found != solids->end() && found->second.shape->contains(p);
+  });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<const RenderScene>> RenderScene::compile(const Scene& scene,
+                                                                const CompileOptions& options) {
+  std::unique_ptr<RenderScene> out(new RenderScene(scene));
+  auto inside = make_inside_test(scene);
+  if (!inside) return tl::unexpected(inside.error());
+  auto textures = TextureEvaluator::compile(scene, std::move(*inside));
+  if (!textures) return tl::unexpected(textures.error());
+  out->textures_ = std::move(*textures);
+  Compiler compiler(scene, *out);
+  if (auto added = compiler.add_all(); !added) return tl::unexpected(added.error());
+  if (auto done = compiler.finish(options); !done) return tl::unexpected(done.error());
+  return out;
+}
+
+}  // namespace dioptre

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/render/render_scene.h"
+
+#include <cmath>
+#include <limits>
+
+#include "dioptre/shading/attenuation.h"
+
+namespace dioptre {
+namespace {
+
+bool hidden(const Item& item, RayPurpose purpose) {
+  switch (purpose) {
+    case RayPurpose::kCamera:
+      return item.no_image;
+    case RayPurpose::kReflection:
+      return item.no_reflection;
+    case RayPurpose::kShadow:
+      return item.no_shadow;
+  }
+  return false;
+}
+
+/// Keeps the first crossing of all items offered.
+class NearestVisitor final : public LeafVisitor {
+ public:
+  NearestVisitor(const std::vector<Item>& items, const Ray& ray, RayPurpose purpose, Hit& hit)
+      : items_(items), ray_(ray), purpose_(purpose), hit_(hit) {}
+
+  bool visit(std::uint32_t index, Interval& range) override {
+    const Item& item = items_[index];
+    Crossing crossing;
+    if (hidden(item, purpose_) || !item.shape->nearest(ray_, range, crossing)) return true;
+    // Of two items at the same distance the first in the file wins, whatever the order of visits.
+    if (hit_.item && crossing.t == hit_.crossing.t && hit_.item < &item) return true;
+    hit_ = {crossing, &item};
+    range.max = std::nextafter(crossing.t, kInfinity);
+    return true;
+  }
+
+ private:
+  const std::vector<Item>& items_;
+  const Ray& ray_;
+  RayPurpose purpose_;
+  Hit& hit_;
+};
+
+template <class Function>
+class FunctionVisitor final : public LeafVisitor {
+ public:
+  explicit FunctionVisitor(Function function) : function_(std::move(function)) {}
+  bool visit(std::uint32_t item, Interval& range) override { return function_(item, range); }
+
+ private:
+  Function function_;
+};
+
+}  // namespace
+
+bool RenderScene::nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const {
+  hit.item = nullptr;
+  NearestVisitor visitor(items_, ray, purpose, hit);
+  accelerator_->visit(ray, range, visitor);
+  return hit.item != nullptr;
+}
+
+SurfaceInteraction RenderScene::interaction(const Ray& ray, const Hit& hit) const {
+  SurfaceInteraction at;
+  at.surface = hit.item->shape->surface(ray, hit.crossing);
+  at.part = &part(hit);
+  // The error of t along the ray, and the rounding of origin + t * direction.
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  const Vec3 p = abs(at.surface.position), o = abs(ray.origin);
+  at.error = hit.crossing.error * length(ray.direction) +
+             4 * kEpsilon * (max_component(p) + max_component(o));
+  return at;
+}
+
+TexturePoint RenderScene::texture_point(const SurfaceInteraction& at, Vec3 view) const {
+  const Placement& placement = placements_[at.part->placement];
+  TexturePoint point{placement.to_object.point(at.surface.position),
+                     normalize(placement.to_world.covector(at.surface.shading_normal)),
+                     normalize(placement.to_object.vector(view)), at.surface.uv};
+  if (at.part->uv_mapping) point.position = {point.uv.x, point.uv.y, 0};
+  return point;
+}
+
+void RenderScene::evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
+                                   TextureSample& out) const {
+  out.clear();
+  const TexturePoint point = texture_point(at, view);
+  textures_->evaluate(from_inside ? at.part->interior_texture : at.part->texture, point, out);
+  const Placement& placement = placements_[at.part->placement];
+  for (SurfaceLayer& layer : out.layers) {
+    layer.normal = layer.normal == point.normal
+                       ? at.surface.shading_normal
+                       : normalize(placement.to_object.covector(layer.normal));
+  }
+}
+
+Color RenderScene::item_transmittance(const Item& item, const Ray& ray, Interval range) const {
+  Color through{1, 1, 1};
+  Hit hit{{}, &item};
+  double entered = range.min;
+  InteriorId inside;
+  while (item.shape->nearest(ray, range, hit.crossing)) {
+    const SurfaceInteraction at = interaction(ray, hit);
+    SurfaceInteraction facing = at;
+    if (dot(facing.surface.shading_normal, ray.direction) > 0) {
+      facing.surface.shading_normal = -facing.surface.shading_normal;
+    }
+    const bool leaving = !hit.crossing.entering;
+    through *= textures_->transmittance(leaving ? at.part->interior_texture : at.part->texture,
+                                        texture_point(facing, ray.direction));
+    if (leaving && at.part->interior) {
+      through *=
+          attenuation(dioptre::at(scene_.interiors, at.part->interior), hit.crossing.t - entered);
+    }
+    if (is_black(through)) return through;
+    entered = hit.crossing.t;
+    range.min = hit.crossing.t;
+  }
+  return through;
+}
+
+Color RenderScene::transmittance(const Ray& ray, Interval range) const {
+  Color through{1, 1, 1};
+  FunctionVisitor visitor([&](std::uint32_t index, Interval& r) {
+    const Item& item = items_[index];
+    if (item.no_shadow) return true;
+    if (item.opaque) {
+      Crossing crossing;
+      if (!item.shape->nearest(ray, r, crossing)) return true;
+      through = {};
+    } else {
+      through *= item_transmittance(item, ray, r);
+    }
+    return !is_black(through);
+  });
+  accelerator_->visit(ray, range, visitor);
+  return through;
+}
+
+std::vector<InteriorId> RenderScene::interiors_at(Vec3 point) const {
+  std::vector<InteriorId> interiors;
+  for (const std::uint32_t index : interior_items_) {
+    const Item& item = items_[index];
+    const InteriorId interior = parts_[item.first_part].interior;
+    if (interior && item.shape->contains(point)) interiors.push_back(interior);
+  }
+  return interiors;
+}
+
+bool RenderScene::inside_solid(Vec3 point) const {
+  std::vector<std::uint32_t> around;
+  accelerator_->items_at(point, around);
+  for (const std::uint32_t index : around) {
+    if (!items_[index].hollow && items_[index].shape->contains(point)) return true;
+  }
+  return false;
+}
+
+}  // namespace dioptre

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dioptre/accel/accelerator.h"
+#include "dioptre/core/result.h"
+#include "dioptre/geometry/shape.h"
+#include "dioptre/scene/scene.h"
+#include "dioptre/shading/texture_evaluator.h"
+
+namespace dioptre {
+
+/// What the surface of one primitive wears, with all that its wholes hand down worked in.
+struct Part {
+  ObjectId object;              ///< the primitive, for explaining
+  TextureId texture;            ///< never none
+  TextureId interior_texture;   ///< seen from inside; never none
+  InteriorId interior;          ///< may be none
+  std::uint32_t placement = 0;  ///< of the texture, index into RenderScene's placements
+  bool uv_mapping = false;
+  bool double_illuminate = false;
+};
+
+/// What stands in the accelerator on its own: a primitive, or a whole CSG solid.
+struct Item {
+  ShapePtr shape;                ///< in world space
+  std::uint32_t first_part = 0;  ///< Crossing::leaf counts from here
+  std::uint32_t part_count = 0;
+  bool opaque = true;  ///< no part lets light through
+  bool hollow = false;
+  bool no_shadow = false;
+  bool no_image = false;
+  bool no_reflection = false;
+};
+
+/// What a ray is for: some objects are hidden from some rays.
+enum class RayPurpose : std::uint8_t { kCamera, kReflection, kShadow };
+
+/// The crossing that a ray meets first.
+struct Hit {
+  Crossing crossing;
+  const Item* item = nullptr;
+};
+
+/// The surface at a hit, in world space.
+struct SurfaceInteraction {
+  Surface surface;
+  const Part* part = nullptr;
+  double error = 0;  ///< a bound on the distance of surface.position from the true point
+};
+
+/// Names the builder of the structure over the items.
+struct CompileOptions {
+  std::string accelerator = "bvh";
+};
+
+/// A scene made ready for rays: immutable, shared by all threads without locks. Refers to the Scene
+/// it was compiled from, which must outlive it.
+class RenderScene {
+ public:
+  /// Prepares all shapes, textures and the accelerator. The error names the object at fault.
+  static Result<std::unique_ptr<const RenderScene>> compile(const Scene& scene,
+                                                            const CompileOptions& options);
+
+  const Scene& scene() const { return scene_; }
+  const TextureEvaluator& textures() const { return *textures_; }
+  const std::vector<Item>& items() const { return items_; }
+  Bounds bounds() const { return accelerator_->bounds(); }
+
+  /// The first visible crossing in the range that a ray of this purpose may see.
+  bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const;
+
+  SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
+
+  /// The share of light that gets through all surfaces met in the range; black as soon as an opaque
+  /// one is met.
+  Color transmittance(const Ray& ray, Interval range) const;
+
+  /// The texture of a surface seen along the ray: its layers, with normals in world space. The
+  /// normal of the interaction must face the viewer already.
+  void evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
+                        TextureSample& out) const;
+
+  /// The interiors around a point, in the order of the items.
+  std::vector<InteriorId> interiors_at(Vec3 point) const;
+
+  /// Whether the point lies inside an object that is not hollow: no atmosphere there.
+  bool inside_solid(Vec3 point) const;
+
+ private:
+  friend class Compiler;
+  explicit RenderScene(const Scene& scene) : scene_(scene) {}
+  const Part& part(const Hit& hit) const {
+    return parts_[hit.item->first_part + hit.crossing.leaf];
+  }
+  Color item_transmittance(const Item& item, const Ray& ray, Interval range) const;
+  TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view) const;
+
+  const Scene& scene_;
+  std::vector<ShapePtr> shapes_;
+  std::vector<Item> items_;
+  std::vector<Part> parts_;
+  std::vector<Placement> placements_;
+  std::vector<std::uint32_t> interior_items_;  ///< items that have an interior or are not hollow
+  AcceleratorPtr accelerator_;
+  std::unique_ptr<const TextureEvaluator> textures_;
+};
+
+}  // namespace dioptre

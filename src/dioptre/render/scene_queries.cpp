@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/render/scene_queries.h"
+
+#include <unordered_map>
+
+#include "dioptre/render/solid_builder.h"
+
+namespace dioptre {
+namespace {
+
+class RendererQueries final : public SceneQueries {
+ public:
+  std::optional<Hit> trace(const Scene& scene, ObjectId object, const Ray& ray) override {
+    const Shape* shape = solid(scene, object);
+    Crossing crossing;
+    if (!shape || !shape->nearest(ray, {kNearest, kInfinity}, crossing)) return std::nullopt;
+    const Surface surface = shape->surface(ray, crossing);
+    const double facing = dot(surface.shading_normal, ray.direction);
+    return Hit{surface.position, facing > 0 ? -surface.shading_normal : surface.shading_normal};
+  }
+
+  bool inside(const Scene& scene, ObjectId object, Vec3 point) override {
+    const Shape* shape = solid(scene, object);
+    return shape && shape->contains(point);
+  }
+
+  Bounds extent(const Scene& scene, ObjectId object) override {
+    const Shape* shape = solid(scene, object);
+    return shape ? shape->bounds() : Bounds{};
+  }
+
+  double call(const Scene& scene, FunctionId function, std::span<const double> arguments) override {
+    const TextureEvaluator* evaluator = textures(scene);
+    return evaluator ? evaluator->call(function, arguments) : 0;
+  }
+
+  PigmentColor pigment(const Scene& scene, PigmentId pigment, Vec3 point) override {
+    const TextureEvaluator* evaluator = textures(scene);
+    return evaluator ? evaluator->pigment(pigment, point) : PigmentColor{};
+  }
+
+ private:
+  /// A ray that starts on a surface does not meet it again.
+  static constexpr double kNearest = 1e-10;
+
+  const Shape* solid(const Scene& scene, ObjectId object) {
+    const auto [place, is_new] = solids_.try_emplace(object.index);
+    if (is_new) {
+      PreparedShapes shapes(scene);
+      if (auto built = build_solid(scene, shapes, object, {})) {
+        place->second = {shapes.take(), std::move(built->shape)};
+      }
+    }
+    return place->second.shape.get();
+  }
+
+  /// Compiled anew when the scene has grown since; what was asked about before has not changed.
+  const TextureEvaluator* textures(const Scene& scene) {
+    const std::size_t size = scene.functions.size() + scene.pigments.size();
+    if (!textures_ || size != textures_size_) {
+      auto compiled = TextureEvaluator::compile(
+          scene, [this, &scene](ObjectId id, Vec3 p) { return inside(scene, id, p); });
+      textures_ = compiled ? std::move(*compiled) : nullptr;
+      textures_size_ = size;
+    }
+    return textures_.get();
+  }
+
+  struct Prepared {
+    std::vector<ShapePtr> primitives;
+    ShapePtr shape;
+  };
+  std::unordered_map<std::uint32_t, Prepared> solids_;
+  std::unique_ptr<const TextureEvaluator> textures_;
+  std::size_t textures_size_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneQueries> make_scene_queries() { return std::make_unique<RendererQueries>(); }
+
+}  // namespace dioptre

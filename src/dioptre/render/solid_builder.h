@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "dioptre/core/result.h"
+#include "dioptre/csg/tree.h"
+#include "dioptre/render/render_scene.h"
+#include "dioptre/scene/scene.h"
+
+namespace dioptre {
+
+/// What a whole hands down to its parts.
+struct Inherited {
+  Affine to_world;  ///< the whole's own space to the world
+  TextureId texture, interior_texture;
+  Affine texture_to_world;
+  InteriorId interior;
+  bool hollow = false;
+  bool no_shadow = false;
+  bool no_image = false;
+  bool no_reflection = false;
+  bool double_illuminate = false;
+  bool uv_mapping = false;
+};
+
+/// The same, one level further down: for the parts of `object`.
+Inherited inherit(const Inherited& from, const Object& object);
+
+/// Prepares the primitives of a scene, each once, however often it is used.
+class PreparedShapes {
+ public:
+  explicit PreparedShapes(const Scene& scene) : scene_(scene) {}
+  /// The primitive of an object whose geometry is a ShapeData.
+  Result<const Shape*> shape(ObjectId id);
+  /// Moves all shapes out, for a RenderScene to keep.
+  std::vector<ShapePtr> take() { return std::move(shapes_); }
+
+ private:
+  const Scene& scene_;
+  std::vector<ShapePtr> shapes_;
+  std::vector<const Shape*> by_object_;
+};
+
+/// One solid with the look of its parts, in the order of Crossing::leaf.
+struct Solid {
+  ShapePtr shape;
+  std::vector<Part> parts;
+  std::vector<Affine> texture_to_world;  ///< of each part
+};
+
+/// Builds the shape of one object with all its parts, placed by `from`.
+Result<Solid> build_solid(const Scene& scene, PreparedShapes& shapes, ObjectId id,
+                          const Inherited& from);
+
+}  // namespace dioptre
