@@ -19,17 +19,6 @@ std::optional<Vec3> unit(Vec3 v) {
   return n;
 }
 
-/// A point of the unit disc from the unit square, areas kept in proportion (Shirley and Chiu 1997,
-/// "A low distortion map between disk and square").
-Vec2 to_disc(Vec2 square) {
-  const double a = 2 * square.x - 1, b = 2 * square.y - 1;
-  if (a == 0 && b == 0) return {0, 0};
-  const bool wide = std::fabs(a) > std::fabs(b);
-  const double r = wide ? a : b;
-  const double phi = std::numbers::pi / 4 * (wide ? b / a : 2 - a / b);
-  return {r * std::cos(phi), r * std::sin(phi)};
-}
-
 /// The angle from the axis at a distance from the centre of an OMNIMAX frame of radius 1, radians
 /// (Max 1983, "Computer graphics distortion for IMAX and OMNIMAX projection").
 double omnimax_angle(double r) {
@@ -149,9 +138,8 @@ std::optional<Ray> CameraRays::through_lens(const Ray& pinhole, Vec2 lens) const
   const double ahead = dot(pinhole.direction, forward_);
   if (ahead <= 0) return pinhole;
   const Vec3 focus = pinhole.at(camera_.focal_distance / ahead);
-  const Vec2 disc = to_disc(lens);
-  const double radius = camera_.aperture / 4;
-  const Vec3 origin = pinhole.origin + radius * (disc.x * right_ + disc.y * up_);
+  const Vec2 offset = camera_.aperture / 2 * (lens - Vec2{0.5, 0.5});
+  const Vec3 origin = pinhole.origin + offset.x * right_ + offset.y * up_;
   return Ray{origin, normalize(focus - origin)};
 }
 

@@ -18,9 +18,9 @@ class CameraRays {
   static Result<CameraRays> prepare(const Camera& camera);
 
   /// The world-space ray, with a unit direction, through a place of an image of width x height
-  /// pixels: (i + 0.5, j + 0.5) is the centre of pixel (i, j), and y grows downwards. `lens` in
-  /// [0,1)^2 picks a point of the aperture (a disc a quarter of Camera::aperture in radius, as
-  /// POV-Ray has it); it matters only if has_lens(). Nothing where the
+  /// pixels: (i + 0.5, j + 0.5) is the centre of pixel (i, j), and y grows downwards. `lens` is a
+  /// place in the unit square around the lens, which is half of Camera::aperture wide (as measured
+  /// with POV-Ray); (0.5, 0.5) is its centre. It matters only if has_lens(). Nothing where the
   /// projection shows nothing (outside the circle of a fisheye).
   std::optional<Ray> ray(double x, double y, std::uint32_t width, std::uint32_t height,
                          Vec2 lens = {0.5, 0.5}) const;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "dioptre/core/interval.h"
 #include "dioptre/film/antialias.h"
@@ -104,7 +105,7 @@ TEST(CameraRays, AllLensPointsMeetInTheFocus) {
   const Vec3 focus = first.at(5 / first.direction.z);
   for (double u = 0; u < 1; u += 0.11) {
     const Ray ray = *rays->ray(2.5, 3.5, 8, 8, {u, 1 - u});
-    EXPECT_LE(length(ray.origin), 0.1 + 1e-12);
+    EXPECT_LE(length(ray.origin), 0.1 * std::numbers::sqrt2 + 1e-12);
     EXPECT_NEAR(length(ray.at(dot(focus - ray.origin, ray.direction)) - focus), 0, 1e-12);
   }
 }

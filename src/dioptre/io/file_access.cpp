@@ -116,8 +116,8 @@ Result<std::string> FileAccess::read(const std::string& path, std::uint64_t most
   if (!is_file(path)) return fail("cannot open '" + path + "'");
   const std::uint64_t size = fs::file_size(path, error);
   if (error) return fail("cannot open '" + path + "'");
-  if (size > most_bytes) return fail("'" + path + "' is larger than " + std::to_string(most_bytes) +
-                                     " bytes");
+  if (size > most_bytes)
+    return fail("'" + path + "' is larger than " + std::to_string(most_bytes) + " bytes");
   std::ifstream in(path, std::ios::binary);
   std::string text(size, '\0');
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(size))) {

@@ -8,9 +8,7 @@ namespace dioptre::pov {
 namespace {
 
 /// From the encoding of displays to linear light (IEC 61966-2-1).
-double decoded(double v) {
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
+double decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 bool names_component(Keyword k) {
   return k == Keyword::kRed || k == Keyword::kGreen || k == Keyword::kBlue ||
@@ -26,8 +24,10 @@ bool begins_vector(Keyword k) {
     case Keyword::kSrgb:
     case Keyword::kSrgbf:
     case Keyword::kSrgbt:
-    case Keyword::kSrgbft: return true;
-    default: return false;
+    case Keyword::kSrgbft:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -103,11 +103,20 @@ void Interpreter::color_component(Numeric& color) {
   const auto k = static_cast<Keyword>(next().index);
   const double value = as_float(sum());
   switch (k) {
-    case Keyword::kRed: color.v[0] = value; break;
-    case Keyword::kGreen: color.v[1] = value; break;
-    case Keyword::kBlue: color.v[2] = value; break;
-    case Keyword::kTransmit: color.v[4] = value; break;
-    default: color.v[3] = value;
+    case Keyword::kRed:
+      color.v[0] = value;
+      break;
+    case Keyword::kGreen:
+      color.v[1] = value;
+      break;
+    case Keyword::kBlue:
+      color.v[2] = value;
+      break;
+    case Keyword::kTransmit:
+      color.v[4] = value;
+      break;
+    default:
+      color.v[3] = value;
   }
 }
 

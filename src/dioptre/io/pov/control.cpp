@@ -66,7 +66,8 @@ void Interpreter::run_ifdef(const Token& token, bool wanted) {
 
 /// `(NAME)` or `(ARRAY[i])`: whether it has a value.
 bool Interpreter::parse_defined() {
-  if (!raw().is('(')) fail_at(raw().position, "expected '(' before the name, found " + found(raw()));
+  if (!raw().is('('))
+    fail_at(raw().position, "expected '(' before the name, found " + found(raw()));
   skip_raw();
   ++depth_;
   const SourcePosition where = raw().position;
@@ -109,8 +110,12 @@ void Interpreter::run_end(const Token& token) {
   Block& block = innermost(token, "an #if, #while, #for, #switch or #macro before it");
   switch (block.kind) {
     case Block::Kind::kIf:
-    case Block::Kind::kSwitch: blocks_.pop_back(); break;
-    case Block::Kind::kMacro: leave_frame(); break;
+    case Block::Kind::kSwitch:
+      blocks_.pop_back();
+      break;
+    case Block::Kind::kMacro:
+      leave_frame();
+      break;
     case Block::Kind::kWhile:
       if (block.effects == effects_ + taken_) {
         fail_at(token.position, "this #while never ends: nothing in it changes its condition");
@@ -118,7 +123,9 @@ void Interpreter::run_end(const Token& token) {
       move_to(block.begin);
       next_round(block);
       break;
-    case Block::Kind::kFor: next_for(block); break;
+    case Block::Kind::kFor:
+      next_for(block);
+      break;
   }
 }
 

@@ -10,13 +10,13 @@ std::string_view Interpreter::type_name(const Value& value) const {
   if (const Numeric* n = std::get_if<Numeric>(&value)) {
     return n->size == 1 ? "number" : n->color ? "colour" : "vector";
   }
-  static constexpr std::string_view kNames[] = {"nothing", "number",   "string", "array", "macro",
-                                                "function", "spline", "file"};
+  static constexpr std::string_view kNames[] = {"nothing", "number",   "string", "array",
+                                                "macro",   "function", "spline", "file"};
   if (value.index() < std::size(kNames)) return kNames[value.index()];
   static constexpr std::string_view kDescribed[] = {
-      "object",       "light",      "texture",    "pigment",   "normal",    "finish",
-      "interior",     "material",   "camera",     "transform", "fog",       "sky sphere",
-      "colour map",   "pigment map", "normal map", "slope map", "texture map", "thing"};
+      "object",     "light",       "texture",    "pigment",   "normal",      "finish",
+      "interior",   "material",    "camera",     "transform", "fog",         "sky sphere",
+      "colour map", "pigment map", "normal map", "slope map", "texture map", "thing"};
   return kDescribed[std::get<DescribedPtr>(value)->index()];
 }
 
@@ -60,9 +60,9 @@ Symbol Interpreter::new_name(std::string_view what) {
   }
   const bool reserved = k != Keyword::kAtand && k != Keyword::kSqr && k != Keyword::kCube;
   if (reserved) {
-    diagnostics_.report(diagnostic(Severity::kWarning, where,
-                                   "'" + symbols_.name(name) +
-                                       "' is a reserved word: from here on it is the scene's name"));
+    diagnostics_.report(diagnostic(
+        Severity::kWarning, where,
+        "'" + symbols_.name(name) + "' is a reserved word: from here on it is the scene's name"));
   }
   const Symbol fresh = symbols_.free_keyword(name);
   for (const auto& program : programs_) {
@@ -107,9 +107,9 @@ void Interpreter::end_declaration(const Value& value, const Target& target) {
   if (!std::holds_alternative<Numeric>(value)) return;
   if (accept(';')) return;
   if (version_given_ && version_ < 3.5) return;
-  Diagnostic d = diagnostic(Severity::kWarning, target.position,
-                            "the declaration of " + symbols_.name(target.name) +
-                                " has no ';' at its end");
+  Diagnostic d =
+      diagnostic(Severity::kWarning, target.position,
+                 "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");
   if (said_.insert(d.file + ':' + d.message).second) diagnostics_.report(std::move(d));
 }
 
@@ -119,6 +119,8 @@ void Interpreter::assign(const Target& target, Value value) {
     Binding* binding = scopes_.find(target.name);
     if (!binding) fail_at(target.position, "'" + symbols_.name(target.name) + "' is not declared");
     Value* place = locate(binding->value, target.subscripts, target.position, true);
+    deepen(*std::get<std::shared_ptr<Array>>(binding->value), value,
+           static_cast<std::uint32_t>(target.subscripts.count));
     *place = std::move(value);
     binding->assigned = true;
     return;
@@ -220,12 +222,23 @@ void Interpreter::fill_array(Array& array, std::size_t dimension, std::size_t& p
     if (dimension + 1 < array.sizes.size()) {
       fill_array(array, dimension + 1, place);
     } else {
-      array.elements[place++] = parse_value(0);
+      array.elements[place] = parse_value(0);
+      deepen(array, array.elements[place++], 1);
     }
     skip_comma();
   }
   next();
   place = last;
+}
+
+/// Arrays within arrays are counted, so that none is too deep to be let go of.
+void Interpreter::deepen(Array& array, const Value& element, std::uint32_t levels) {
+  const Array* inner = get_if<Array>(element);
+  if (!inner) return;
+  array.depth = std::max(array.depth, inner->depth + levels);
+  if (array.depth > options_.budgets.nesting) {
+    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
+  }
 }
 
 /// `[i][j]...` at the next tokens.
@@ -267,8 +280,9 @@ Value* Interpreter::locate(Value& root, const Subscripts& subscripts, SourcePosi
     for (const std::uint32_t size : array.sizes) {
       const double at = subscripts.at[used++];
       if (!(at > -1 && at < size)) {
-        fail_at(where, "the subscript " + shortest(std::trunc(at)) +
-                           " is outside the array, whose size is " + std::to_string(size),
+        fail_at(where,
+                "the subscript " + shortest(std::trunc(at)) +
+                    " is outside the array, whose size is " + std::to_string(size),
                 "subscripts count from 0");
       }
       place = place * size + static_cast<std::size_t>(at);

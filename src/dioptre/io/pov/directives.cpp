@@ -17,34 +17,55 @@ void Interpreter::run_directive(const Token& token) {
   const auto keyword = static_cast<Keyword>(std::min(token.index, kKeywordCount));
   skip_raw();
   switch (keyword) {
-    case Keyword::kDeclare: return run_declare(false);
-    case Keyword::kLocal: return run_declare(true);
-    case Keyword::kUndef: return run_undef();
-    case Keyword::kIf: return run_if(token);
-    case Keyword::kIfdef: return run_ifdef(token, true);
-    case Keyword::kIfndef: return run_ifdef(token, false);
+    case Keyword::kDeclare:
+      return run_declare(false);
+    case Keyword::kLocal:
+      return run_declare(true);
+    case Keyword::kUndef:
+      return run_undef();
+    case Keyword::kIf:
+      return run_if(token);
+    case Keyword::kIfdef:
+      return run_ifdef(token, true);
+    case Keyword::kIfndef:
+      return run_ifdef(token, false);
     case Keyword::kElse:
     case Keyword::kElseif:
     case Keyword::kCase:
-    case Keyword::kRange: return run_else(token);
-    case Keyword::kEnd: return run_end(token);
-    case Keyword::kWhile: return run_while(token);
-    case Keyword::kFor: return run_for(token);
-    case Keyword::kSwitch: return run_switch(token);
-    case Keyword::kBreak: return run_break(token);
-    case Keyword::kMacro: return run_macro(token);
-    case Keyword::kInclude: return run_include();
-    case Keyword::kVersion: return run_version();
-    case Keyword::kDefault: return run_default();
+    case Keyword::kRange:
+      return run_else(token);
+    case Keyword::kEnd:
+      return run_end(token);
+    case Keyword::kWhile:
+      return run_while(token);
+    case Keyword::kFor:
+      return run_for(token);
+    case Keyword::kSwitch:
+      return run_switch(token);
+    case Keyword::kBreak:
+      return run_break(token);
+    case Keyword::kMacro:
+      return run_macro(token);
+    case Keyword::kInclude:
+      return run_include();
+    case Keyword::kVersion:
+      return run_version();
+    case Keyword::kDefault:
+      return run_default();
     case Keyword::kDebug:
     case Keyword::kRender:
     case Keyword::kStatistics:
     case Keyword::kWarning:
-    case Keyword::kError: return run_message(keyword);
-    case Keyword::kFopen: return run_fopen();
-    case Keyword::kFclose: return run_fclose();
-    case Keyword::kRead: return run_read();
-    case Keyword::kWrite: return run_write();
+    case Keyword::kError:
+      return run_message(keyword);
+    case Keyword::kFopen:
+      return run_fopen();
+    case Keyword::kFclose:
+      return run_fclose();
+    case Keyword::kRead:
+      return run_read();
+    case Keyword::kWrite:
+      return run_write();
     default:
       if (symbols_.name(token.index).empty()) return warn("a '#' without a directive: ignored");
       fail_at(token.position, "'#" + symbols_.name(token.index) + "' is no directive");
@@ -124,8 +145,8 @@ void Interpreter::run_version() {
   const SourcePosition where = cursor_->position;
   const double wanted = as_float(sum());
   if (!(wanted >= 0 && wanted <= 3.85)) {
-    fail_at(where, "this is POV-Ray 3.7's language, version " + formatted(wanted, 0, 1) +
-                       " is not known");
+    fail_at(where,
+            "this is POV-Ray 3.7's language, version " + formatted(wanted, 0, 1) + " is not known");
   }
   if (wanted > 3.75) warn("version 3.8 is read as 3.7");
   // A semicolon may be taken only if it is here: what follows may depend on the new version.

@@ -10,18 +10,30 @@ namespace {
 
 double apply(char op, double a, double b) {
   switch (op) {
-    case '+': return a + b;
-    case '-': return a - b;
-    case '*': return a * b;
-    case '/': return a / b;
-    case '<': return a < b;
-    case '>': return a > b;
-    case 'l': return a <= b || are_equal(a, b);
-    case 'g': return a >= b || are_equal(a, b);
-    case '=': return are_equal(a, b);
-    case 'n': return !are_equal(a, b);
-    case '&': return is_true(a) && is_true(b);
-    default: return is_true(a) || is_true(b);
+    case '+':
+      return a + b;
+    case '-':
+      return a - b;
+    case '*':
+      return a * b;
+    case '/':
+      return a / b;
+    case '<':
+      return a < b;
+    case '>':
+      return a > b;
+    case 'l':
+      return a <= b || are_equal(a, b);
+    case 'g':
+      return a >= b || are_equal(a, b);
+    case '=':
+      return are_equal(a, b);
+    case 'n':
+      return !are_equal(a, b);
+    case '&':
+      return is_true(a) && is_true(b);
+    default:
+      return is_true(a) || is_true(b);
   }
 }
 
@@ -32,17 +44,24 @@ int component_place(const Token& token) {
   switch (static_cast<Keyword>(token.index)) {
     case Keyword::kX:
     case Keyword::kU:
-    case Keyword::kRed: return 0;
+    case Keyword::kRed:
+      return 0;
     case Keyword::kY:
     case Keyword::kV:
-    case Keyword::kGreen: return 1;
+    case Keyword::kGreen:
+      return 1;
     case Keyword::kZ:
-    case Keyword::kBlue: return 2;
+    case Keyword::kBlue:
+      return 2;
     case Keyword::kT:
-    case Keyword::kFilter: return 3;
-    case Keyword::kTransmit: return 4;
-    case Keyword::kGray: return 5;
-    default: return -1;
+    case Keyword::kFilter:
+      return 3;
+    case Keyword::kTransmit:
+      return 4;
+    case Keyword::kGray:
+      return 5;
+    default:
+      return -1;
   }
 }
 
@@ -165,7 +184,8 @@ Numeric Interpreter::primary() {
       if (token.punctuation == '(') return parenthesised();
       if (token.punctuation == '<') return vector_literal();
       break;
-    default: break;
+    default:
+      break;
   }
   fail_expected("a number or vector");
 }
@@ -304,8 +324,10 @@ bool Interpreter::parse_flag() {
       case Keyword::kZ:
       case Keyword::kU:
       case Keyword::kV:
-      case Keyword::kT: return true;
-      default: return at_expression() ? parse_bool() : true;
+      case Keyword::kT:
+        return true;
+      default:
+        return at_expression() ? parse_bool() : true;
     }
   }
   const Value* value = operand();
@@ -330,11 +352,14 @@ bool Interpreter::value_is_numeric(const Value& value) const {
 bool Interpreter::at_expression() {
   const Token& token = peek();
   switch (token.kind) {
-    case Token::Kind::kNumber: return true;
+    case Token::Kind::kNumber:
+      return true;
     case Token::Kind::kPunctuation:
       return token.is('(') || token.is('<') || token.is('-') || token.is('+') || token.is('!');
-    case Token::Kind::kName: break;
-    default: return false;
+    case Token::Kind::kName:
+      break;
+    default:
+      return false;
   }
   if (token.index < kKeywordCount) {
     return keyword_begins_expression(static_cast<Keyword>(token.index));

@@ -19,15 +19,24 @@ struct BinaryType {
 
 BinaryType binary_type(Keyword k) {
   switch (k) {
-    case Keyword::kUint8: return {0, 255, 1, false};
-    case Keyword::kSint8: return {-128, 127, 1, false};
-    case Keyword::kUint16be: return {0, 65535, 2, true};
-    case Keyword::kUint16le: return {0, 65535, 2, false};
-    case Keyword::kSint16be: return {-32768, 32767, 2, true};
-    case Keyword::kSint16le: return {-32768, 32767, 2, false};
-    case Keyword::kSint32be: return {-2147483648.0, 2147483647.0, 4, true};
-    case Keyword::kSint32le: return {-2147483648.0, 2147483647.0, 4, false};
-    default: return {};
+    case Keyword::kUint8:
+      return {0, 255, 1, false};
+    case Keyword::kSint8:
+      return {-128, 127, 1, false};
+    case Keyword::kUint16be:
+      return {0, 65535, 2, true};
+    case Keyword::kUint16le:
+      return {0, 65535, 2, false};
+    case Keyword::kSint16be:
+      return {-32768, 32767, 2, true};
+    case Keyword::kSint16le:
+      return {-32768, 32767, 2, false};
+    case Keyword::kSint32be:
+      return {-2147483648.0, 2147483647.0, 4, true};
+    case Keyword::kSint32le:
+      return {-2147483648.0, 2147483647.0, 4, false};
+    default:
+      return {};
   }
 }
 

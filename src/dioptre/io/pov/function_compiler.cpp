@@ -14,33 +14,60 @@ constexpr std::size_t kMostParameters = 56;
 std::optional<Step::Code> math_code(Keyword k) {
   using C = Step::Code;
   switch (k) {
-    case Keyword::kAbs: return C::kAbs;
-    case Keyword::kAcos: return C::kAcos;
-    case Keyword::kAcosh: return C::kAcosh;
-    case Keyword::kAsin: return C::kAsin;
-    case Keyword::kAsinh: return C::kAsinh;
-    case Keyword::kAtan: return C::kAtan;
-    case Keyword::kAtanh: return C::kAtanh;
-    case Keyword::kAtan2: return C::kAtan2;
-    case Keyword::kCeil: return C::kCeil;
-    case Keyword::kCos: return C::kCos;
-    case Keyword::kCosh: return C::kCosh;
-    case Keyword::kDegrees: return C::kDegrees;
-    case Keyword::kDiv: return C::kDiv;
-    case Keyword::kExp: return C::kExp;
-    case Keyword::kFloor: return C::kFloor;
-    case Keyword::kInt: return C::kInt;
-    case Keyword::kLn: return C::kLn;
-    case Keyword::kLog: return C::kLog;
-    case Keyword::kMod: return C::kMod;
-    case Keyword::kPow: return C::kPow;
-    case Keyword::kRadians: return C::kRadians;
-    case Keyword::kSin: return C::kSin;
-    case Keyword::kSinh: return C::kSinh;
-    case Keyword::kSqrt: return C::kSqrt;
-    case Keyword::kTan: return C::kTan;
-    case Keyword::kTanh: return C::kTanh;
-    default: return std::nullopt;
+    case Keyword::kAbs:
+      return C::kAbs;
+    case Keyword::kAcos:
+      return C::kAcos;
+    case Keyword::kAcosh:
+      return C::kAcosh;
+    case Keyword::kAsin:
+      return C::kAsin;
+    case Keyword::kAsinh:
+      return C::kAsinh;
+    case Keyword::kAtan:
+      return C::kAtan;
+    case Keyword::kAtanh:
+      return C::kAtanh;
+    case Keyword::kAtan2:
+      return C::kAtan2;
+    case Keyword::kCeil:
+      return C::kCeil;
+    case Keyword::kCos:
+      return C::kCos;
+    case Keyword::kCosh:
+      return C::kCosh;
+    case Keyword::kDegrees:
+      return C::kDegrees;
+    case Keyword::kDiv:
+      return C::kDiv;
+    case Keyword::kExp:
+      return C::kExp;
+    case Keyword::kFloor:
+      return C::kFloor;
+    case Keyword::kInt:
+      return C::kInt;
+    case Keyword::kLn:
+      return C::kLn;
+    case Keyword::kLog:
+      return C::kLog;
+    case Keyword::kMod:
+      return C::kMod;
+    case Keyword::kPow:
+      return C::kPow;
+    case Keyword::kRadians:
+      return C::kRadians;
+    case Keyword::kSin:
+      return C::kSin;
+    case Keyword::kSinh:
+      return C::kSinh;
+    case Keyword::kSqrt:
+      return C::kSqrt;
+    case Keyword::kTan:
+      return C::kTan;
+    case Keyword::kTanh:
+      return C::kTanh;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -66,8 +93,8 @@ FunctionCompiler::Place FunctionCompiler::add(Step::Code code, Place a, Place b)
   std::vector<Step>& steps = expression_.steps;
   if (steps.size() >= kMostSteps) in_.fail("a function has more than 1048576 steps");
   const auto is_constant = [&](Place p) { return steps[p].code == Step::Code::kConstant; };
-  const bool plain = code != Step::Code::kConstant && code != Step::Code::kParameter &&
-                     code < Step::Code::kSelect;
+  const bool plain =
+      code != Step::Code::kConstant && code != Step::Code::kParameter && code < Step::Code::kSelect;
   Step step;
   step.code = code;
   step.a = a;
@@ -284,8 +311,8 @@ FunctionCompiler::Place FunctionCompiler::select() {
 FunctionCompiler::Place FunctionCompiler::rounds(Step::Code code) {
   const Token variable = in_.next();
   if (variable.kind != Token::Kind::kName) {
-    in_.fail_at(variable.position, "expected the name of the counter, found " +
-                                       in_.found(variable));
+    in_.fail_at(variable.position,
+                "expected the name of the counter, found " + in_.found(variable));
   }
   in_.expect(',', "after the counter");
   const Place from = logical_or();
@@ -330,8 +357,7 @@ FunctionCompiler::Place FunctionCompiler::call_component(FunctionId function,
                                                          const std::vector<Place>& args) {
   const auto first = static_cast<std::uint32_t>(expression_.arguments.size());
   expression_.arguments.insert(expression_.arguments.end(), args.begin(), args.end());
-  const Place place =
-      add(Step::Code::kCall, first, static_cast<std::uint32_t>(args.size()));
+  const Place place = add(Step::Code::kCall, first, static_cast<std::uint32_t>(args.size()));
   expression_.steps[place].function = function;
   return place;
 }

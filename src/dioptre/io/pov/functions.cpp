@@ -194,14 +194,13 @@ Numeric Interpreter::call_function(const FunctionValue& function) {
   }
   expect(')', "after the arguments");
   if (count != function.parameters.size() && !function.internal) {
-    fail("the function takes " + std::to_string(function.parameters.size()) +
-         " arguments, found " + std::to_string(count));
+    fail("the function takes " + std::to_string(function.parameters.size()) + " arguments, found " +
+         std::to_string(count));
   }
   const std::span<const double> given(args.data(), count);
   Numeric value;
   if (function.pigment) {
-    const PigmentColor c =
-        queries_.pigment(scene_, function.pigment, {args[0], args[1], args[2]});
+    const PigmentColor c = queries_.pigment(scene_, function.pigment, {args[0], args[1], args[2]});
     value.v = {c.color.r, c.color.g, c.color.b, c.filter, c.transmit};
     value.size = 5;
     value.color = true;
@@ -247,8 +246,8 @@ double Interpreter::spline_component_value(const SplineFunction& function, doubl
 }
 
 bool Interpreter::at_spline_kind() {
-  return at(Keyword::kLinearSpline) || at(Keyword::kQuadraticSpline) ||
-         at(Keyword::kCubicSpline) || at(Keyword::kNaturalSpline);
+  return at(Keyword::kLinearSpline) || at(Keyword::kQuadraticSpline) || at(Keyword::kCubicSpline) ||
+         at(Keyword::kNaturalSpline);
 }
 
 Spline::Kind Interpreter::parse_spline_kind() {

@@ -56,9 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"#debug \"abc", "2:8: error: a string has no closing '\"'"},
         Refused{"#declare A = 1e999;", "a number is too large"},
         Refused{"#end", "#end without an #if, #while, #for, #switch or #macro before it"},
-        Refused{"#else", "#else without #if or #switch"},
-        Refused{"#if (1)", "#if without #end"}, Refused{"#version 99.0;", "version 99.0"},
-        Refused{"#foo", "'#foo' is no directive"},
+        Refused{"#else", "#else without #if or #switch"}, Refused{"#if (1)", "#if without #end"},
+        Refused{"#version 99.0;", "version 99.0"}, Refused{"#foo", "'#foo' is no directive"},
         Refused{"#declare V=<1,2,3>; #debug str(V,0,0)", "expected a number, found a vector"},
         Refused{"#declare x = 5;", "'x' is a reserved word"},
         Refused{"#macro F(a,b) #end F(1)", "the macro F takes 2 arguments, found 1"},
@@ -74,31 +73,33 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Endless, Refusal,
-    ::testing::Values(
-        Refused{"#while(1) #end", "this #while never ends"},
-        Refused{"#for(I,0,1,0) #end", "the step of #for is 0"},
-        Refused{"#for(I,1e20,2e20,1) #end", "this #for never ends"},
-        Refused{"#macro A() A() #end A()", "more than 4000 levels of nesting"},
-        Refused{"#macro A(n) A(A(n)) #end A(1)", "more than 4000 levels of nesting"},
-        Refused{"#declare A=array[1e9];", "more than 67108864 elements of arrays"},
-        Refused{"#declare S=\"ab\"; #for(I,1,40) #declare S=concat(S,S); #end",
-                "more than 67108864 bytes in a string"},
-        Refused{"#debug str(1,1e9,0)", "more than 1000 characters"},
-        Refused{deep("#declare A=", "("), "more than 4000 levels of nesting"},
-        Refused{deep("#declare A=", "!"), "more than 4000 levels of nesting"},
-        Refused{deep("#declare A=", "<"), "more than 4000 levels of nesting"},
-        Refused{deep("#declare F=function{", "("), "more than 4000 levels of nesting"},
-        Refused{deep("#declare A=(", "1?"), "more than 4000 levels of nesting"}));
+    ::testing::Values(Refused{"#while(1) #end", "this #while never ends"},
+                      Refused{"#for(I,0,1,0) #end", "the step of #for is 0"},
+                      Refused{"#for(I,1e20,2e20,1) #end", "this #for never ends"},
+                      Refused{"#macro A() A() #end A()", "more than 4000 levels of nesting"},
+                      Refused{"#macro A(n) A(A(n)) #end A(1)", "more than 4000 levels of nesting"},
+                      Refused{"#declare A=array[1e9];", "more than 67108864 elements of arrays"},
+                      Refused{"#declare S=\"ab\"; #for(I,1,40) #declare S=concat(S,S); #end",
+                              "more than 67108864 bytes in a string"},
+                      Refused{"#declare A=array[1]; #for(I,1,1e6) #declare A[0]=A; #end",
+                              "more than 4000 levels of nesting"},
+                      Refused{"#debug str(1,1e9,0)", "more than 1000 characters"},
+                      Refused{deep("#declare A=", "("), "more than 4000 levels of nesting"},
+                      Refused{deep("#declare A=", "!"), "more than 4000 levels of nesting"},
+                      Refused{deep("#declare A=", "<"), "more than 4000 levels of nesting"},
+                      Refused{deep("#declare F=function{", "("),
+                              "more than 4000 levels of nesting"},
+                      Refused{deep("#declare A=(", "1?"), "more than 4000 levels of nesting"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Refusal,
-    ::testing::Values(
-        Refused{"#fopen F \"/etc/passwd\" read", "'/etc/passwd' may not be read"},
-        Refused{"#include \"/etc/passwd\"", "'/etc/passwd' may not be read"},
-        Refused{"#fopen F \"/var/tmp/x\" write", "'/var/tmp/x' may not be written"},
-        Refused{"#fopen F \"/tmp/../var/tmp/x\" write", "may not be written"},
-        Refused{"#fopen F \"t.pov\" write", "may not be written: it is a scene"},
-        Refused{"#include \"no such file.inc\"", "cannot find the file 'no such file.inc'"}));
+    ::testing::Values(Refused{"#fopen F \"/etc/passwd\" read", "'/etc/passwd' may not be read"},
+                      Refused{"#include \"/etc/passwd\"", "'/etc/passwd' may not be read"},
+                      Refused{"#fopen F \"/var/tmp/x\" write", "'/var/tmp/x' may not be written"},
+                      Refused{"#fopen F \"/tmp/../var/tmp/x\" write", "may not be written"},
+                      Refused{"#fopen F \"t.pov\" write", "may not be written: it is a scene"},
+                      Refused{"#include \"no such file.inc\"",
+                              "cannot find the file 'no such file.inc'"}));
 
 TEST(LanguageBudgets, EachCanBeLoweredAndNamesItsOption) {
   LoadOptions options;

@@ -35,7 +35,8 @@ void Interpreter::run(const std::string& name, std::string text) {
   cursor_ = program_->tokens.data();
   while (peek().kind != Token::Kind::kEnd) parse_scene_item(*this);
   if (!blocks_.empty()) {
-    fail("expected #end, found the end of the file", "each #if, #while, #for and #switch needs one");
+    fail("expected #end, found the end of the file",
+         "each #if, #while, #for and #switch needs one");
   }
   settle_gamma();
 }
@@ -79,7 +80,8 @@ const Token& Interpreter::fetch() {
       case Token::Kind::kPunctuation:
         if (token.punctuation < ' ') fail_token(token);
         break;
-      default: break;
+      default:
+        break;
     }
     current_ = cursor_;
     ready_ = true;
@@ -120,14 +122,17 @@ bool Interpreter::ends_value(const Token& token) const {
     case Keyword::kIf:
     case Keyword::kIfdef:
     case Keyword::kIfndef:
-    case Keyword::kSwitch: return false;
+    case Keyword::kSwitch:
+      return false;
     case Keyword::kElse:
     case Keyword::kElseif:
     case Keyword::kCase:
     case Keyword::kRange:
     case Keyword::kBreak:
-    case Keyword::kEnd: return blocks_.size() <= value_blocks_;
-    case Keyword::kInclude: return taken_ > value_begin_;
+    case Keyword::kEnd:
+      return blocks_.size() <= value_blocks_;
+    case Keyword::kInclude:
+      return taken_ > value_begin_;
     default:
       return frames_.size() <= value_frames_ && taken_ > value_begin_;
   }
@@ -160,7 +165,8 @@ void Interpreter::leave_frame() {
 bool Interpreter::end_program() {
   if (frames_.empty()) return false;
   if (blocks_.size() > frames_.back().blocks) {
-    fail("expected #end, found the end of the file", "each #if, #while, #for and #switch needs one");
+    fail("expected #end, found the end of the file",
+         "each #if, #while, #for and #switch needs one");
   }
   leave_frame();
   return true;

@@ -100,8 +100,8 @@ class Interpreter final : public Parser {
     const Program* program = nullptr;
     const Token* cursor = nullptr;
     std::shared_ptr<const Macro> macro;  ///< the one that runs in this frame, if any
-    SourcePosition called;         ///< where this frame was entered
-    std::size_t blocks = 0;        ///< how many blocks were open then
+    SourcePosition called;               ///< where this frame was entered
+    std::size_t blocks = 0;              ///< how many blocks were open then
     std::vector<ElementReference> elements;
   };
   /// A directive whose #end has not come yet.
@@ -178,6 +178,7 @@ class Interpreter final : public Parser {
   Target parse_target(bool local);
   Target parse_deprecated_target(bool local);
   void parse_subscripts(Subscripts& subscripts);
+  void deepen(Array& array, const Value& element, std::uint32_t levels);
   Value* locate(Value& root, const Subscripts& subscripts, SourcePosition where, bool for_change);
   void assign(const Target& target, Value value);
   Value parse_value(Symbol name);

@@ -21,9 +21,8 @@ class NoQueries final : public SceneQueries {
 /// `#version 3.7;` stands in front of it, on the first line.
 inline std::string said(const std::string& program, const LoadOptions& options = {}) {
   std::string text;
-  Diagnostics diagnostics([&](const Diagnostic& d) {
-    text += d.severity == Severity::kNote ? d.message : to_text(d);
-  });
+  Diagnostics diagnostics(
+      [&](const Diagnostic& d) { text += d.severity == Severity::kNote ? d.message : to_text(d); });
   NoQueries queries;
   (void)load_pov_text("t.pov", "#version 3.7;\n" + program, options, queries, diagnostics);
   return text;

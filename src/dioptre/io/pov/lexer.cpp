@@ -235,8 +235,10 @@ bool opens_block(Keyword k) {
     case Keyword::kSwitch:
     case Keyword::kWhile:
     case Keyword::kFor:
-    case Keyword::kMacro: return true;
-    default: return false;
+    case Keyword::kMacro:
+      return true;
+    default:
+      return false;
   }
 }
 bool begins_branch(Keyword k) {

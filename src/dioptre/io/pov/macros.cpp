@@ -55,8 +55,8 @@ void Interpreter::expand_macro(std::shared_ptr<const Macro> called) {
   }
   skip_raw();
   if (!raw().is('(')) {
-    fail_at(raw().position, "expected '(' after the macro " + symbols_.name(macro.name) +
-                                ", found " + found(raw()),
+    fail_at(raw().position,
+            "expected '(' after the macro " + symbols_.name(macro.name) + ", found " + found(raw()),
             "a call needs parentheses even without arguments");
   }
   const Nesting guard(*this);

@@ -84,31 +84,45 @@ void Interpreter::not_rendered(std::string_view feature) {
 
 std::string Interpreter::found(const Token& token) const {
   switch (token.kind) {
-    case Token::Kind::kEnd: return "the end of the file";
-    case Token::Kind::kNumber: return "a number";
-    case Token::Kind::kString: return "a string";
-    case Token::Kind::kDirective: return "'#" + symbols_.name(token.index) + "'";
-    case Token::Kind::kName: return "'" + symbols_.name(token.index) + "'";
-    case Token::Kind::kPunctuation: break;
+    case Token::Kind::kEnd:
+      return "the end of the file";
+    case Token::Kind::kNumber:
+      return "a number";
+    case Token::Kind::kString:
+      return "a string";
+    case Token::Kind::kDirective:
+      return "'#" + symbols_.name(token.index) + "'";
+    case Token::Kind::kName:
+      return "'" + symbols_.name(token.index) + "'";
+    case Token::Kind::kPunctuation:
+      break;
   }
   switch (token.punctuation) {
-    case 'l': return "'<='";
-    case 'g': return "'>='";
-    case 'n': return "'!='";
-    default: return std::string("'") + token.punctuation + "'";
+    case 'l':
+      return "'<='";
+    case 'g':
+      return "'>='";
+    case 'n':
+      return "'!='";
+    default:
+      return std::string("'") + token.punctuation + "'";
   }
 }
 
 void Interpreter::fail_token(const Token& token) {
   switch (token.punctuation) {
-    case kUnterminatedString: fail_at(token.position, "a string has no closing '\"'");
-    case kUnterminatedComment: fail_at(token.position, "a comment has no closing '*/'");
-    case kBadNumber: fail_at(token.position, "a number is too large");
-    default: break;
+    case kUnterminatedString:
+      fail_at(token.position, "a string has no closing '\"'");
+    case kUnterminatedComment:
+      fail_at(token.position, "a comment has no closing '*/'");
+    case kBadNumber:
+      fail_at(token.position, "a number is too large");
+    default:
+      break;
   }
   if (token.index > ' ' && token.index < 0x7f) {
-    fail_at(token.position,
-            std::string("the character '") + static_cast<char>(token.index) + "' has no meaning here");
+    fail_at(token.position, std::string("the character '") + static_cast<char>(token.index) +
+                                "' has no meaning here");
   }
   fail_at(token.position,
           "the byte " + std::to_string(token.index) + " has no meaning outside a string");

@@ -63,8 +63,10 @@ bool Interpreter::keyword_begins_expression(Keyword k) const {
     case Keyword::kVturbulence:
     case Keyword::kTrace:
     case Keyword::kMinExtent:
-    case Keyword::kMaxExtent: return true;
-    default: return false;
+    case Keyword::kMaxExtent:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -81,32 +83,54 @@ Numeric Interpreter::keyword_value(Keyword k) {
     return n;
   };
   switch (k) {
-    case Keyword::kX: return axis(0, 3);
-    case Keyword::kY: return axis(1, 3);
-    case Keyword::kZ: return axis(2, 3);
-    case Keyword::kU: return axis(0, 2);
-    case Keyword::kV: return axis(1, 2);
-    case Keyword::kT: return axis(3, 4);
-    case Keyword::kPi: return constant(std::numbers::pi);
+    case Keyword::kX:
+      return axis(0, 3);
+    case Keyword::kY:
+      return axis(1, 3);
+    case Keyword::kZ:
+      return axis(2, 3);
+    case Keyword::kU:
+      return axis(0, 2);
+    case Keyword::kV:
+      return axis(1, 2);
+    case Keyword::kT:
+      return axis(3, 4);
+    case Keyword::kPi:
+      return constant(std::numbers::pi);
     case Keyword::kTrue:
     case Keyword::kYes:
-    case Keyword::kOn: return constant(1);
+    case Keyword::kOn:
+      return constant(1);
     case Keyword::kFalse:
     case Keyword::kNo:
-    case Keyword::kOff: return constant(0);
-    case Keyword::kClock: return constant(options_.clock);
-    case Keyword::kClockDelta: return constant(options_.clock_delta);
-    case Keyword::kClockOn: return constant(options_.clock_on);
-    case Keyword::kInitialClock: return constant(options_.initial_clock);
-    case Keyword::kFinalClock: return constant(options_.final_clock);
-    case Keyword::kInitialFrame: return constant(options_.initial_frame);
-    case Keyword::kFinalFrame: return constant(options_.final_frame);
-    case Keyword::kFrameNumber: return constant(options_.frame_number);
-    case Keyword::kImageWidth: return constant(options_.image_width);
-    case Keyword::kImageHeight: return constant(options_.image_height);
-    case Keyword::kVersion: return constant(version_);
-    case Keyword::kNow: return constant(days_now());
-    default: break;
+    case Keyword::kOff:
+      return constant(0);
+    case Keyword::kClock:
+      return constant(options_.clock);
+    case Keyword::kClockDelta:
+      return constant(options_.clock_delta);
+    case Keyword::kClockOn:
+      return constant(options_.clock_on);
+    case Keyword::kInitialClock:
+      return constant(options_.initial_clock);
+    case Keyword::kFinalClock:
+      return constant(options_.final_clock);
+    case Keyword::kInitialFrame:
+      return constant(options_.initial_frame);
+    case Keyword::kFinalFrame:
+      return constant(options_.final_frame);
+    case Keyword::kFrameNumber:
+      return constant(options_.frame_number);
+    case Keyword::kImageWidth:
+      return constant(options_.image_width);
+    case Keyword::kImageHeight:
+      return constant(options_.image_height);
+    case Keyword::kVersion:
+      return constant(version_);
+    case Keyword::kNow:
+      return constant(days_now());
+    default:
+      break;
   }
   if (!keyword_begins_expression(k)) {
     if (at_color_keyword()) return color_factor();
@@ -125,30 +149,43 @@ Numeric Interpreter::function_value(Keyword k) {
   if (const auto code = math_code(k)) return number(math(k, *code));
   switch (k) {
     case Keyword::kMin:
-    case Keyword::kMax: return number(extremum(k));
-    case Keyword::kSelect: return select();
+    case Keyword::kMax:
+      return number(extremum(k));
+    case Keyword::kSelect:
+      return select();
     case Keyword::kBitwiseAnd:
     case Keyword::kBitwiseOr:
-    case Keyword::kBitwiseXor: return number(bitwise(k));
-    case Keyword::kDimensions: return number(dimension(false));
-    case Keyword::kDimensionSize: return number(dimension(true));
-    case Keyword::kFileExists: return number(access_.find(parse_file_name()).has_value());
-    case Keyword::kInside: return number(inside());
-    case Keyword::kRand: return number(random());
-    case Keyword::kSeed: return number(seed());
-    case Keyword::kStrcmp: return number(strings_compared());
-    case Keyword::kStrlen: return number(static_cast<double>(parse_string().size()));
+    case Keyword::kBitwiseXor:
+      return number(bitwise(k));
+    case Keyword::kDimensions:
+      return number(dimension(false));
+    case Keyword::kDimensionSize:
+      return number(dimension(true));
+    case Keyword::kFileExists:
+      return number(access_.find(parse_file_name()).has_value());
+    case Keyword::kInside:
+      return number(inside());
+    case Keyword::kRand:
+      return number(random());
+    case Keyword::kSeed:
+      return number(seed());
+    case Keyword::kStrcmp:
+      return number(strings_compared());
+    case Keyword::kStrlen:
+      return number(static_cast<double>(parse_string().size()));
     case Keyword::kAsc: {
       const std::string text = parse_string();
       return number(text.empty() ? 0 : static_cast<unsigned char>(text[0]));
     }
-    case Keyword::kVal: return number(std::strtod(parse_string().c_str(), nullptr));
+    case Keyword::kVal:
+      return number(std::strtod(parse_string().c_str(), nullptr));
     case Keyword::kVdot: {
       const Vec3 a = vector_argument();
       expect(',', "between the arguments");
       return number(dot(a, vector_argument()));
     }
-    case Keyword::kVlength: return number(length(vector_argument()));
+    case Keyword::kVlength:
+      return number(length(vector_argument()));
     case Keyword::kVcross: {
       const Vec3 a = vector_argument();
       expect(',', "between the arguments");
@@ -159,17 +196,22 @@ Numeric Interpreter::function_value(Keyword k) {
       expect(',', "between the arguments");
       return vector3(rotation(vector_argument()).vector(a));
     }
-    case Keyword::kVaxisRotate: return rotated_about_axis();
+    case Keyword::kVaxisRotate:
+      return rotated_about_axis();
     case Keyword::kVnormalize: {
       const Vec3 a = vector_argument();
       const double size = length(a);
       if (!(size > 0)) fail("vnormalize needs a vector that is not zero");
       return vector3(a * (1 / size));
     }
-    case Keyword::kVturbulence: return turbulence_vector();
-    case Keyword::kTrace: return trace();
-    case Keyword::kMinExtent: return extent(false);
-    default: return extent(true);
+    case Keyword::kVturbulence:
+      return turbulence_vector();
+    case Keyword::kTrace:
+      return trace();
+    case Keyword::kMinExtent:
+      return extent(false);
+    default:
+      return extent(true);
   }
 }
 
@@ -232,7 +274,7 @@ double Interpreter::bitwise(Keyword k) {
   std::int32_t value = integer();
   while (accept(',')) {
     const std::int32_t other = integer();
-    value = k == Keyword::kBitwiseAnd ? value & other
+    value = k == Keyword::kBitwiseAnd  ? value & other
             : k == Keyword::kBitwiseOr ? value | other
                                        : value ^ other;
   }
@@ -253,8 +295,7 @@ Numeric Interpreter::select() {
 double Interpreter::seed() {
   const double v = float_argument();
   const bool fits = std::fabs(v) < 2147483648.0;
-  streams_.push_back(fits ? static_cast<std::uint32_t>(static_cast<std::int32_t>(v))
-                          : 0x80000000u);
+  streams_.push_back(fits ? static_cast<std::uint32_t>(static_cast<std::int32_t>(v)) : 0x80000000u);
   ++effects_;
   return static_cast<double>(streams_.size() - 1);
 }

@@ -61,8 +61,8 @@ class Scopes {
 
   std::deque<Binding> pool_;
   std::vector<Binding*> free_;
-  std::vector<Binding*> tops_;   ///< by symbol
-  std::vector<Symbol> linked_;   ///< in the order of linking, scopes above the global one only
+  std::vector<Binding*> tops_;      ///< by symbol
+  std::vector<Symbol> linked_;      ///< in the order of linking, scopes above the global one only
   std::vector<std::size_t> marks_;  ///< where each scope begins in linked_
 };
 

@@ -43,8 +43,10 @@ bool Interpreter::at_string() {
     case Keyword::kStrupr:
     case Keyword::kStrlwr:
     case Keyword::kDatetime:
-    case Keyword::kInputFileName: return true;
-    default: return false;
+    case Keyword::kInputFileName:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -100,11 +102,21 @@ std::string Interpreter::string_function(Keyword k) {
       text = formatted(value, length, float_argument());
       break;
     }
-    case Keyword::kVstr: text = vector_string(); break;
-    case Keyword::kConcat: text = concatenation(); break;
-    case Keyword::kChr: text = character(); break;
-    case Keyword::kSubstr: text = substring(); break;
-    case Keyword::kDatetime: text = date_and_time(); break;
+    case Keyword::kVstr:
+      text = vector_string();
+      break;
+    case Keyword::kConcat:
+      text = concatenation();
+      break;
+    case Keyword::kChr:
+      text = character();
+      break;
+    case Keyword::kSubstr:
+      text = substring();
+      break;
+    case Keyword::kDatetime:
+      text = date_and_time();
+      break;
     default:
       text = parse_string();
       for (char& c : text) {
@@ -198,7 +210,8 @@ std::string Interpreter::date_and_time() {
   const std::string format = accept(',') ? parse_string() : "%Y-%m-%d %H:%M:%SZ";
   constexpr double kEpoch2000 = 946684800, kSecondsPerDay = 86400, kMostDays = 3e6;
   if (!(std::fabs(days) < kMostDays)) fail("datetime needs days within some thousand years");
-  const auto seconds = static_cast<std::time_t>(std::floor(kEpoch2000 + days * kSecondsPerDay + 0.5));
+  const auto seconds =
+      static_cast<std::time_t>(std::floor(kEpoch2000 + days * kSecondsPerDay + 0.5));
   std::tm time{};
   gmtime_r(&seconds, &time);
   char text[512];
@@ -217,16 +230,30 @@ bool Interpreter::string_relation(double& result) {
   if (!at_string()) return false;
   const std::string a = parse_string();
   const Token op = next();
-  if (op.kind != Token::Kind::kPunctuation) fail_at(op.position, "expected a comparison of strings");
+  if (op.kind != Token::Kind::kPunctuation)
+    fail_at(op.position, "expected a comparison of strings");
   const int order = a.compare(parse_string());
   switch (op.punctuation) {
-    case '<': result = order < 0; break;
-    case '>': result = order > 0; break;
-    case 'l': result = order <= 0; break;
-    case 'g': result = order >= 0; break;
-    case '=': result = order == 0; break;
-    case 'n': result = order != 0; break;
-    default: fail_at(op.position, "expected a comparison of strings, found " + found(op));
+    case '<':
+      result = order < 0;
+      break;
+    case '>':
+      result = order > 0;
+      break;
+    case 'l':
+      result = order <= 0;
+      break;
+    case 'g':
+      result = order >= 0;
+      break;
+    case '=':
+      result = order == 0;
+      break;
+    case 'n':
+      result = order != 0;
+      break;
+    default:
+      fail_at(op.position, "expected a comparison of strings, found " + found(op));
   }
   return true;
 }

@@ -36,6 +36,7 @@ const T* get_if(const Value& value) {
 struct Array {
   std::vector<std::uint32_t> sizes;
   std::vector<Value> elements;
+  std::uint32_t depth = 1;  ///< at least how many arrays lie within each other
 };
 
 /// A macro: a place in a program.

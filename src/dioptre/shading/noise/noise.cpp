@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/shading/noise/noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "dioptre/shading/noise/lattice_values.h"
+
+namespace dioptre {
+namespace {
+
+constexpr std::uint32_t kHashSize = 4096;
+constexpr std::uint32_t kGradients = 2048;
+constexpr std::int64_t kLatticeShift = 10000;
+constexpr double kGradientShift = 10000000.023157213;
+
+/// The generator behind the tables and behind rand(): s -> 1812433253 s + 12345 (mod 2^32).
+class LinearCongruence {
+ public:
+  explicit LinearCongruence(std::uint32_t seed) : state_(seed) {}
+  std::uint32_t bits15() {
+    state_ = state_ * 1812433253u + 12345u;
+    return (state_ >> 16) & 0x7FFF;
+  }
+  std::uint32_t bits16() {
+    state_ = state_ * 1812433253u + 12345u;
+    return state_ >> 16;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+struct Tables {
+  std::array<std::uint16_t, kHashSize> hash;
+  std::array<Vec3, kGradients> gradients;
+  std::array<std::uint16_t, kGradients> permutation;
+  std::array<double, 4100> random;
+
+  Tables() {
+    for (std::uint32_t i = 0; i < kHashSize; ++i) hash[i] = static_cast<std::uint16_t>(i);
+    LinearCongruence draw(0);
+    for (std::uint32_t i = kHashSize; i-- > 0;) std::swap(hash[i], hash[draw.bits16() % kHashSize]);
+    make_gradients();
+    std::mt19937 twister(5489);
+    for (double& r : random) r = twister() / 4294967296.0;
+  }
+
+ private:
+  void make_gradients() {
+    LinearCongruence draw(1);
+    const auto component = [&] {
+      return (static_cast<double>(draw.bits15() % (2 * kGradients)) - kGradients) / kGradients;
+    };
+    for (Vec3& gradient : gradients) {
+      double size = 0;
+      do {
+        gradient.x = component();
+        gradient.y = component();
+        gradient.z = component();
+        size = length(gradient);
+      } while (!(size > 0 && size <= 1));
+      gradient = {gradient.x / size, gradient.y / size, gradient.z / size};
+    }
+    std::array<std::uint16_t, kGradients + 1> shuffled{};
+    for (std::uint32_t i = 0; i < kGradients; ++i) shuffled[i] = static_cast<std::uint16_t>(i);
+    for (std::uint32_t i = kGradients; i > 0; i -= 2) {
+      std::swap(shuffled[i], shuffled[draw.bits15() % kGradients]);
+    }
+    std::copy_n(shuffled.begin(), kGradients, permutation.begin());
+  }
+};
+
+const Tables kTables;
+
+constexpr double fade(double t) { return t * t * (3 - 2 * t); }
+
+bool in_reach(Vec3 p) {
+  const Vec3 a = abs(p);
+  return a.x < 0x1p40 && a.y < 0x1p40 && a.z < 0x1p40;
+}
+
+/// The cell of a lattice point's neighbourhood: hashes of the eight corners, weights, offsets.
+struct LatticeCell {
+  std::uint32_t corner[8];  ///< into kLatticeValues
+  double weight[8];
+  Vec3 offset;
+
+  explicit LatticeCell(Vec3 p) {
+    if (!in_reach(p)) p = {};
+    const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
+    offset = {p.x - fx, p.y - fy, p.z - fz};
+    const auto cell = [](double floor) {
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(floor) + kLatticeShift);
+    };
+    const std::uint32_t ix = cell(fx), iy = cell(fy), iz = cell(fz);
+    const double sx = fade(offset.x), sy = fade(offset.y), sz = fade(offset.z);
+    const double wx[2] = {1 - sx, sx}, wy[2] = {1 - sy, sy}, wz[2] = {1 - sz, sz};
+    const auto& h = kTables.hash;
+    for (std::uint32_t x = 0; x < 2; ++x) {
+      const std::uint32_t hx = h[(ix + x) & 4095];
+      for (std::uint32_t y = 0; y < 2; ++y) {
+        const std::uint32_t hxy = h[hx ^ ((iy + y) & 4095)];
+        const double wxy = wx[x] * wy[y];
+        for (std::uint32_t z = 0; z < 2; ++z) {
+          const std::uint32_t c = x | y << 1 | z << 2;
+          corner[c] = h[hxy ^ ((iz + z) & 4095)] & 255u;
+          weight[c] = wxy * wz[z];
+        }
+      }
+    }
+  }
+
+  double value(std::uint32_t component) const {
+    double sum = 0;
+    for (std::uint32_t c = 0; c < 8; ++c) {
+      const double* r = &kLatticeValues[corner[c] + 4 * component];
+      const double dx = offset.x - (c & 1), dy = offset.y - (c >> 1 & 1), dz = offset.z - (c >> 2);
+      sum += weight[c] * (0.5 * r[0] + r[1] * dx + r[2] * dy + r[3] * dz);
+    }
+    return sum;
+  }
+};
+
+double gradient_noise(Vec3 p) {
+  if (!in_reach(p)) p = {};
+  p += {kGradientShift, kGradientShift, kGradientShift};
+  const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
+  const auto index = [](double f) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(f));
+  };
+  const std::uint32_t ix = index(fx), iy = index(fy), iz = index(fz);
+  const Vec3 d{p.x - fx, p.y - fy, p.z - fz};
+  const double sx = fade(d.x), sy = fade(d.y), sz = fade(d.z);
+  constexpr std::uint32_t kMask = kGradients - 1;
+  const auto& perm = kTables.permutation;
+  double sum = 0;
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    const std::uint32_t x = c & 1, y = c >> 1 & 1, z = c >> 2;
+    const std::uint32_t hashed = perm[(perm[(ix + x) & kMask] + iy + y) & kMask] + iz + z;
+    const double w = (x ? sx : 1 - sx) * (y ? sy : 1 - sy) * (z ? sz : 1 - sz);
+    const Vec3 from_corner{d.x - x, d.y - y, d.z - z};
+    sum += w * dot(kTables.gradients[hashed & kMask], from_corner);
+  }
+  return 0.4925 + 0.795 * sum;
+}
+
+}  // namespace
+
+double noise(Vec3 p, NoiseGenerator generator) {
+  if (generator == NoiseGenerator::kPerlin) return gradient_noise(p);
+  const double raw = LatticeCell(p).value(0);
+  const double n =
+      generator == NoiseGenerator::kOriginal ? raw + 0.5 : 0.48985582 * (raw + 1.05242);
+  return std::clamp(n, 0.0, 1.0);
+}
+
+Vec3 vector_noise(Vec3 p) {
+  const LatticeCell cell(p);
+  return {cell.value(0), cell.value(1), cell.value(2)};
+}
+
+Vec3 vector_turbulence(Vec3 p, const Octaves& octaves) {
+  Vec3 sum;
+  double weight = 1, scale = 1;
+  for (std::uint32_t i = 0; i < std::min(octaves.count, 10u); ++i) {
+    sum += weight * vector_noise(scale * p);
+    weight *= octaves.omega;
+    scale *= octaves.lambda;
+  }
+  return sum;
+}
+
+double spread_noise(Vec3 p, NoiseGenerator generator) {
+  const double n = noise(p, generator);
+  return generator == NoiseGenerator::kOriginal ? n : 2 * n - 0.5;
+}
+
+double scalar_turbulence(Vec3 p, const Octaves& octaves, NoiseGenerator generator) {
+  double sum = std::clamp(spread_noise(p, generator), 0.0, 1.0);
+  double weight = octaves.omega, scale = octaves.lambda;
+  for (std::uint32_t i = 1; i < std::min(octaves.count, 10u); ++i) {
+    sum += weight * spread_noise(scale * p, generator);
+    weight *= octaves.omega;
+    scale *= octaves.lambda;
+  }
+  return sum;
+}
+
+std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto& h = kTables.hash;
+  const auto wrap = [](std::int64_t i) { return static_cast<std::uint32_t>(i) & 4095u; };
+  return h[h[h[wrap(x)] ^ wrap(y)] ^ wrap(z)];
+}
+
+double random_value(std::uint32_t index) { return kTables.random[index]; }
+
+const WaveSource& wave_source(std::uint32_t index) {
+  static const auto sources = [] {
+    std::array<WaveSource, kMaxWaveSources> all;
+    LinearCongruence draw(3734115329u);
+    for (std::uint32_t i = 0; i < kMaxWaveSources; ++i) {
+      all[i].position = normalize(vector_noise({static_cast<double>(i), 0, 0}));
+      all[i].frequency = 0.01 + draw.bits15() / 32767.0;
+    }
+    return all;
+  }();
+  return sources[std::min(index, kMaxWaveSources - 1)];
+}
+
+}  // namespace dioptre
