@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -10,6 +11,11 @@
 
 namespace dioptre::pov {
 
+/// Light sources, and the object that shows them or stands with them in a union, if any.
+struct LightsValue {
+  std::vector<Light> lights;
+  std::optional<Object> object;
+};
 /// A material: what an object wears and what is in it.
 struct MaterialValue {
   TextureId texture, interior_texture;
@@ -36,11 +42,12 @@ struct UnrenderedValue {
 };
 
 /// Whatever an identifier can stand for beyond numbers and strings. Objects are by value, so that a
-/// use can be changed without changing the declaration; they share their parts.
+/// use can be changed without changing the declaration; they share their parts. Textures, pigments,
+/// normals and interiors are in the scene already; a use that changes one appends a copy.
 using Described =
-    std::variant<Object, Light, Texture, Pigment, Normal, Finish, Interior, MaterialValue, Camera,
-                 Affine, Fog, SkySphere, ColorMapValue, PigmentMapValue, NormalMapValue,
-                 SlopeMapValue, TextureMapValue, UnrenderedValue>;
+    std::variant<Object, LightsValue, TextureId, PigmentId, NormalId, Finish, InteriorId,
+                 MaterialValue, Camera, Affine, Fog, SkySphere, ColorMapValue, PigmentMapValue,
+                 NormalMapValue, SlopeMapValue, TextureMapValue, UnrenderedValue>;
 using DescribedPtr = std::shared_ptr<const Described>;
 
 }  // namespace dioptre::pov

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// translate, rotate, scale, matrix and transform.
+#include "dioptre/io/pov/syntax/grammar.h"
+
+namespace dioptre::pov {
+namespace {
+
+Affine parse_scale(Parser& parser) {
+  Vec3 by = parser.parse_vec3();
+  bool changed = false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (by[axis] != 0) continue;
+    by[axis] = 1;
+    changed = true;
+  }
+  if (changed) parser.warn("scaling by 0 is taken as scaling by 1");
+  return scaling(by);
+}
+
+Affine parse_matrix(Parser& parser) {
+  parser.expect('<', "to begin the twelve numbers of a matrix");
+  double v[12];
+  for (double& number : v) {
+    number = parser.parse_float();
+    parser.skip_comma();
+  }
+  parser.expect('>', "to end the twelve numbers of a matrix");
+  const Affine m{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}};
+  if (m.determinant() == 0) parser.warn("the matrix is singular: nothing is left of what it moves");
+  return m;
+}
+
+/// One transformation, if one is next.
+std::optional<Affine> parse_transform(Parser& parser) {
+  if (parser.accept(Keyword::kTranslate)) return translation(parser.parse_vec3());
+  if (parser.accept(Keyword::kRotate)) return rotation(parser.parse_vec3());
+  if (parser.accept(Keyword::kScale)) return parse_scale(parser);
+  if (parser.accept(Keyword::kMatrix)) return parse_matrix(parser);
+  if (!parser.accept(Keyword::kTransform)) return std::nullopt;
+  if (parser.at('{')) return parse_transform_block(parser);
+  if (const auto map = take<Affine>(parser)) return map;
+  parser.fail_expected("the name of a transformation, or '{'");
+}
+
+}  // namespace
+
+std::optional<Affine> parse_transforms(Parser& parser) {
+  std::optional<Affine> all;
+  while (const std::optional<Affine> one = parse_transform(parser)) {
+    all = all ? then(*all, *one) : *one;
+    parser.skip_comma();
+  }
+  return all;
+}
+
+Affine parse_transform_block(Parser& parser) {
+  const Parser::Nesting nesting(parser);
+  parser.expect('{', "after transform");
+  Affine all;
+  for (;;) {
+    if (parser.accept('}')) return all;
+    if (const auto map = take<Affine>(parser)) {
+      all = then(all, *map);
+    } else if (parser.accept(Keyword::kInverse)) {
+      if (const std::optional<Affine> undone = inverse(all)) {
+        all = *undone;
+      } else {
+        parser.fail("the transformation has no inverse");
+      }
+    } else if (const auto map = parse_transforms(parser)) {
+      all = then(all, *map);
+    } else {
+      parser.fail_expected("a transformation or '}'");
+    }
+  }
+}
+
+}  // namespace dioptre::pov
