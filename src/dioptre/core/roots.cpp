@@ -68,11 +68,13 @@ double root_bound(std::span<const double> c) {
   std::size_t degree = c.size();
   while (degree > 0 && c[degree - 1] == 0) --degree;
   if (degree == 0) return kInfinity;
+  const std::size_t top = degree - 1;
   double largest = 0;
-  for (std::size_t k = 0; k + 1 < degree; ++k) {
-    largest = std::max(largest, std::fabs(c[k] / c[degree - 1]));
+  for (std::size_t k = 0; k < top; ++k) {
+    const double ratio = std::fabs(c[k] / c[top]);
+    largest = std::max(largest, std::pow(ratio, 1 / static_cast<double>(top - k)));
   }
-  return 1 + largest;
+  return 2 * largest;
 }
 
 PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval interval) {
@@ -97,8 +99,12 @@ PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval 
   for (std::size_t i = 0; i < roots.count; ++i) {
     const double t = roots.t[i];
     const double steep = std::fabs(slope(derivative[0], degree, t));
+    const double bend = degree > 1 ? std::fabs(slope(derivative[1], degree - 1, t)) : 0;
     const double residual = rounding(derivative[0], degree, t);
-    roots.error[i] = (steep > 0 ? residual / steep : 0) + 0x1p-52 * std::fabs(t);
+    double error = interval.max - interval.min;
+    if (steep > 0) error = std::min(error, 2 * residual / steep);
+    if (bend > 0) error = std::min(error, 2 * std::sqrt(residual / bend));
+    roots.error[i] = error + 0x1p-52 * std::fabs(t);
   }
   return roots;
 }

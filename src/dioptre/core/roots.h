@@ -26,7 +26,9 @@ struct PolynomialRoots {
 /// finite.
 PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval interval);
 
-/// A bound on the size of all real roots (A.-L. Cauchy 1829); infinite for the zero polynomial.
+/// A bound on the size of all real roots: 2 max |c[n-k] / c[n]|^(1/k) (M. Fujiwara, "Ueber die
+/// obere Schranke des absoluten Betrages der Wurzeln einer algebraischen Gleichung", 1916). It
+/// scales with the roots; infinite for the zero polynomial.
 double root_bound(std::span<const double> coefficients);
 
 }  // namespace dioptre

@@ -2,6 +2,7 @@
 #include "dioptre/geometry/box/box.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dioptre/geometry/convex.h"
 
@@ -25,7 +26,9 @@ class PreparedBox final : public ConvexShape<PreparedBox> {
         continue;
       }
       const double inverse = 1 / d;
-      const double t_low = (low - o) * inverse, t_high = (high - o) * inverse;
+      double t_low = (low - o) * inverse, t_high = (high - o) * inverse;
+      // A box without thickness is drawn: it is as thick as its rounding.
+      if (low == high) (d > 0 ? t_high : t_low) = std::nextafter(t_low, kInfinity);
       const double error_low = 3 * kRounding * std::fabs(t_low);
       const double error_high = 3 * kRounding * std::fabs(t_high);
       if (d > 0) {
@@ -46,10 +49,35 @@ class PreparedBox final : public ConvexShape<PreparedBox> {
     Vec3 normal, position = ray.at(crossing.t);
     normal[axis] = high ? 1 : -1;
     position[axis] = high ? box_.max[axis] : box_.min[axis];
-    return {position, normal, normal, {}};
+    return {position, normal, normal, unfold(position, crossing.face)};
   }
 
  private:
+  /// Where a point of a face lies on the cross of six squares that the box unfolds to, in a picture
+  /// four squares wide and three high: -x, +z, +x, -z side by side in the middle row, +y above and
+  /// -y below +z (as POV-Ray's manual shows it).
+  Vec2 unfold(Vec3 p, std::uint32_t face) const {
+    const Vec3 size = box_.extent();
+    const auto part = [&](std::size_t axis) {
+      return size[axis] > 0 ? std::clamp((p[axis] - box_.min[axis]) / size[axis], 0.0, 1.0) : 0;
+    };
+    const double x = part(0) / 4, z = part(2) / 4, middle = (1 + part(1)) / 3;
+    switch (face) {
+      case 0:
+        return {z, middle};
+      case 1:
+        return {0.75 - z, middle};
+      case 2:
+        return {0.25 + x, part(2) / 3};
+      case 3:
+        return {0.25 + x, 1 - part(2) / 3};
+      case 4:
+        return {1 - x, middle};
+      default:
+        return {0.25 + x, middle};
+    }
+  }
+
   Bounds box_;
 };
 

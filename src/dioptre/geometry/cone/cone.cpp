@@ -37,9 +37,11 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
   bool span(const Ray& ray, ConvexSpan& out) const {
     const double shift = closest_approach(ray, 0.5 * (base_ + cap_));
     const double shift_loss = shift_error(ray, shift);
+    const double misplaced =
+        shift_loss * length(ray.direction) + 4 * kRounding * max_component(abs(base_));
     const Vec3 from_base = ray.at(shift) - base_;
     const double h = dot(from_base, axis_), climb = dot(ray.direction, axis_);
-    if (!clip_to_slab(h, climb, shift, shift_loss, out)) return false;
+    if (!clip_to_slab(h, climb, shift, misplaced, out)) return false;
 
     const Vec3 across = from_base - h * axis_, drift = ray.direction - climb * axis_;
     const double radius = base_radius_ + growth_ * h, widening = growth_ * climb;
@@ -47,14 +49,20 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
     const double b = dot(across, drift) - radius * widening;
     const double c = dot(across, across) - radius * radius;
     const double terms = dot(from_base, from_base) + radius * radius;
-    const QuadraticRoots roots = quadratic_roots(a, b, c, terms);
+    // The moved origin's error enters `across`, `radius` and both slopes; within the slab a hit is
+    // no farther across than the radii.
+    const double off = (1 + std::fabs(growth_)) * misplaced;
+    const double widest = std::max(base_radius_, cap_radius_);
+    const double error_c =
+        4 * off * (length(across) + std::fabs(radius) + widest + off) / (8 * kRounding);
+    const QuadraticRoots roots = quadratic_roots(a, b, c, terms + error_c);
     const auto enter = [&](int i) {
       out.clip_enter(roots.t[i] + shift, roots.error[i] + shift_loss, 0);
     };
     const auto exit = [&](int i) {
       out.clip_exit(roots.t[i] + shift, roots.error[i] + shift_loss, 0);
     };
-    if (roots.count == 0) return a < 0 || c <= 0;
+    if (roots.count == 0) return a < 0 || (a == 0 && c <= 0);
     if (roots.count == 1) {
       b < 0 ? enter(0) : exit(0);
     } else if (a > 0) {
@@ -91,13 +99,12 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
     return {position, normal, normal, {}};
   }
 
-  bool clip_to_slab(double h, double climb, double shift, double shift_loss,
-                    ConvexSpan& out) const {
+  bool clip_to_slab(double h, double climb, double shift, double misplaced, ConvexSpan& out) const {
     if (climb == 0) return h >= 0 && h <= height_;
     const double t_base = -h / climb, t_cap = (height_ - h) / climb;
-    const double error = shift_loss + 8 * kRounding *
-                                          (std::fabs(h) + height_ + max_component(abs(base_))) /
-                                          std::fabs(climb);
+    const double error =
+        (2 * misplaced + 8 * kRounding * (std::fabs(h) + height_)) / std::fabs(climb) +
+        2 * kRounding * std::fabs(shift);
     const bool visible = !open_;
     if (climb > 0) {
       out.clip_enter(t_base + shift, error, 1, visible);

@@ -10,8 +10,8 @@ class PreparedDisc final : public Shape {
  public:
   explicit PreparedDisc(const Disc& disc)
       : center_(disc.center),
-        normal_(normalize(disc.normal)),
-        radius_squared_(disc.radius * disc.radius),
+        normal_(length(disc.normal) > 0 ? normalize(disc.normal) : Vec3{0, 1, 0}),
+        radius_squared_(length(disc.normal) > 0 ? disc.radius * disc.radius : -1),
         hole_squared_(disc.hole_radius * disc.hole_radius),
         radius_(std::fabs(disc.radius)) {}
 
@@ -58,8 +58,7 @@ class PreparedDisc final : public Shape {
 }  // namespace
 
 Result<ShapePtr> prepare(const Disc& disc) {
-  const double size = length(disc.normal);
-  if (!(size > 0) || !std::isfinite(size)) return fail("disc: the normal has no direction");
+  if (!std::isfinite(length(disc.normal))) return fail("disc: the normal is not finite");
   if (!is_finite(disc.center) || !std::isfinite(disc.radius) || !std::isfinite(disc.hole_radius)) {
     return fail("disc: a parameter is not finite");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/geometry/poly/poly.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dioptre/core/roots.h"
@@ -37,22 +38,28 @@ class PreparedPoly final : public Shape {
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
     const double shift = closest_approach(ray, {});
+    if (!std::isfinite(shift)) return false;
     const Ray near{ray.at(shift), ray.direction};
-    const Univariate along = restrict_to(near);
+    Univariate along = restrict_to(near);
+    const double reach = rescale(along);
     const std::span<const double> c(along.c.data(), along.degree + 1);
-    const double reach = std::min(root_bound(c), 1e9 / std::max(1e-300, length(ray.direction)));
-    const Interval wanted =
-        intersect(Interval{-reach, reach}, Interval{range.min - shift, range.max - shift});
-    const double start = std::isfinite(wanted.min) ? wanted.min : -reach;
-    const bool inside = jet(near.at(start)).value <= 0;
-    bool state = inside;
-    const PolynomialRoots roots = polynomial_roots(c, wanted);
-    const double loss = shift_error(ray, shift);
+    if (!(reach > 0) || !std::isfinite(reach)) return c[0] <= 0;
+
+    // All roots lie in s in [-1, 1], where t = shift + reach s.
+    const PolynomialRoots roots = polynomial_roots(c, {-1, 1});
+    bool state = roots.count % 2 == 0 ? value_at(c, 1) <= 0 : value_at(c, 1) > 0;
+    bool inside = state;
+    const double misplaced = shift_error(ray, shift) * length(ray.direction);
     for (std::size_t i = 0; i < roots.count; ++i) {
-      const double t = roots.t[i] + shift;
-      if (!range.surrounds(t)) continue;
+      const double t = roots.t[i] * reach + shift;
       state = !state;
-      out.push_back({.t = t, .error = roots.error[i] + loss, .entering = state});
+      if (t <= range.min) inside = state;
+      if (!range.surrounds(t)) continue;
+      const double moved =
+          roots.error[i] * reach + 2 * kRounding * (std::fabs(t) + std::fabs(shift));
+      out.push_back({.t = t,
+                     .error = moved + position_error(near, roots.t[i] * reach, misplaced),
+                     .entering = state});
     }
     return inside;
   }
@@ -111,6 +118,56 @@ class PreparedPoly final : public Shape {
       }
       if (i < order_) in_x.step(o.x, d.x, 0);
       in_x.add(in_y);
+    }
+    return in_x;
+  }
+
+  static double value_at(std::span<const double> c, double t) {
+    double v = 0;
+    for (std::size_t k = c.size(); k-- > 0;) v = v * t + c[k];
+    return v;
+  }
+
+  /// Substitutes t = reach s with a power of two that brings all roots into s in [-1, 1], and
+  /// scales the coefficients to at most 1.  Returns the reach; 0 if nothing depends on t.
+  static double rescale(Univariate& along) {
+    const double bound = root_bound({along.c.data(), along.degree + 1});
+    if (!(bound > 0) || !std::isfinite(bound)) return 0;
+    int exponent = 0;
+    std::frexp(bound, &exponent);
+    const int n = static_cast<int>(along.degree);
+    int largest = -1 << 20;
+    for (int k = 0; k <= n; ++k) {
+      int own = 0;
+      std::frexp(along.c[k], &own);
+      if (along.c[k] != 0) largest = std::max(largest, own + k * exponent);
+    }
+    for (int k = 0; k <= n; ++k) along.c[k] = std::ldexp(along.c[k], k * exponent - largest);
+    return std::ldexp(1.0, exponent);
+  }
+
+  /// What the rounding of the restriction to the ray adds to the error of t.
+  double position_error(const Ray& near, double t, double misplaced) const {
+    const Vec3 p = near.at(t);
+    const Jet at = jet(p);
+    const double steep = std::fabs(dot(at.gradient, near.direction));
+    const double terms = magnitude(abs(p));
+    const double residual = 4 * kRounding * order_ * terms + 2 * length(at.gradient) * misplaced;
+    return steep > 0 ? residual / steep : 0;
+  }
+
+  /// The value at |p| with all coefficients positive: what rounding is relative to.
+  double magnitude(Vec3 p) const {
+    const double* c = coefficients_.data();
+    double in_x = 0;
+    for (int i = order_; i >= 0; --i) {
+      double in_y = 0;
+      for (int j = order_ - i; j >= 0; --j) {
+        double in_z = 0;
+        for (int k = order_ - i - j; k >= 0; --k) in_z = in_z * p.z + std::fabs(*c++);
+        in_y = in_y * p.y + in_z;
+      }
+      in_x = in_x * p.x + in_y;
     }
     return in_x;
   }

@@ -2,6 +2,7 @@
 #include "dioptre/geometry/quadric/quadric.h"
 
 #include "dioptre/geometry/quadratic.h"
+#include "dioptre/geometry/quadric/quadric_bounds.h"
 
 namespace dioptre {
 namespace {
@@ -10,29 +11,7 @@ class PreparedQuadric final : public Shape {
  public:
   explicit PreparedQuadric(const Quadric& q) : q_(q) {}
 
-  /// Finite where the quadric is an ellipsoid with its axes along x, y, z, or a cylinder along one
-  /// of them; infinite otherwise.
-  Bounds bounds() const override {
-    Bounds box = Bounds::all();
-    if (q_.products != Vec3{}) return box;
-    // Sum over the axes of s (x + l/2s)^2 <= level; an axis with s > 0 is bounded if no other
-    // axis can lower the sum without end.
-    double level = -q_.constant;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double s = q_.squares[axis], l = q_.linear[axis];
-      if (s < 0 || (s == 0 && l != 0)) return box;
-      if (s > 0) level += l * l / (4 * s);
-    }
-    if (level < 0) return {};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double s = q_.squares[axis];
-      if (s == 0) continue;
-      const double middle = -q_.linear[axis] / (2 * s), reach = std::sqrt(level / s);
-      box.min[axis] = middle - reach * (1 + 8 * kRounding);
-      box.max[axis] = middle + reach * (1 + 8 * kRounding);
-    }
-    return box;
-  }
+  Bounds bounds() const override { return quadric_bounds(q_); }
 
   bool contains(Vec3 p) const override { return value(p) <= 0; }
 
@@ -80,15 +59,26 @@ class PreparedQuadric final : public Shape {
            q_.products.z * d.y * d.z;
   }
 
+  /// What an error of b adds to that of a root of a t^2 + 2 b t + c.
+  static double slope_error(double a, double b, double t, double error_b) {
+    const double steep = std::fabs(a * t + b), moved = error_b * std::fabs(t);
+    const double grazing = a != 0 ? std::sqrt(2 * moved / std::fabs(a)) : kInfinity;
+    return moved > 0 ? std::min(steep > 0 ? moved / steep : kInfinity, grazing) : 0;
+  }
+
   int solve(const Ray& ray, Interval range, Crossing* out, bool& inside) const {
     const double shift = closest_approach(ray, {});
     const double loss = shift_error(ray, shift);
     const Vec3 origin = ray.at(shift), d = ray.direction;
     const double a = curvature(d), b = 0.5 * dot(gradient(origin), d), c = value(origin);
-    const QuadraticRoots roots = quadratic_roots(a, b, c, magnitude(origin));
-    // Far out the sign of the leading term decides.
-    bool state = a != 0 ? a < 0 : b != 0 ? b > 0 : c <= 0;
-    if (a == 0 && roots.count == 0 && b != 0) state = c <= 0;
+    const double off = loss * length(d), size = max_component(abs(origin));
+    const double squares = max_component(abs(q_.squares)) + max_component(abs(q_.products));
+    const double steep = 6 * squares * (size + off) + 3 * max_component(abs(q_.linear));
+    const double error_b = (6 * squares * off + 8 * kRounding * steep) * max_component(abs(d));
+    const QuadraticRoots roots =
+        quadratic_roots(a, b, c, magnitude(origin) + steep * off / (8 * kRounding));
+    // Far out the sign of the leading term decides; a lone root is that of the linear term.
+    bool state = roots.count == 1 ? b > 0 : a != 0 ? a < 0 : c <= 0;
     int count = 0;
     inside = state;
     for (int i = 0; i < roots.count; ++i) {
@@ -96,7 +86,9 @@ class PreparedQuadric final : public Shape {
       state = !state;
       if (t <= range.min) inside = state;
       if (range.surrounds(t)) {
-        out[count++] = {.t = t, .error = roots.error[i] + loss, .entering = state};
+        out[count++] = {.t = t,
+                        .error = roots.error[i] + loss + slope_error(a, b, roots.t[i], error_b),
+                        .entering = state};
       }
     }
     return count;

@@ -17,7 +17,7 @@ namespace {
 class PreparedTorus final : public Shape {
  public:
   explicit PreparedTorus(const Torus& torus)
-      : scale_(std::max(torus.major_radius, torus.minor_radius)),
+      : scale_(std::max({torus.major_radius, torus.minor_radius, 1e-300})),
         major_(torus.major_radius / scale_),
         minor_(torus.minor_radius / scale_) {}
 
@@ -41,26 +41,23 @@ class PreparedTorus final : public Shape {
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     Roots roots;
-    find(ray, roots);
-    for (std::size_t i = 0; i < roots.count; ++i) {
-      if (!range.surrounds(roots.at[i].t)) continue;
-      out = roots.at[i];
-      return true;
-    }
-    return false;
+    find(ray, roots, range);
+    if (roots.count == 0 || !range.surrounds(roots.at[roots.count - 1].t)) return false;
+    out = roots.at[roots.count - 1];
+    return true;
   }
 
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     const Vec3 p = ray.at(crossing.t);
     const double across = std::hypot(p.x, p.z);
-    const double stretch = across > 0 ? 1 - scale_ * major_ / across : 0;
-    Vec3 normal{p.x * stretch, p.y, p.z * stretch};
-    // Inside the hole of a spindle the far side of the tube is the surface.
+    const double off = across - scale_ * major_, outwards = across > 0 ? off / across : 0;
+    Vec3 normal{p.x * outwards, p.y, p.z * outwards};
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    const double around = std::atan2(p.z, p.x) / (2 * std::numbers::pi);
-    const double along = std::atan2(p.y, across - scale_ * major_) / (2 * std::numbers::pi);
-    return {p, normal, normal, {around < 0 ? around + 1 : around, along < 0 ? along + 1 : along}};
+    // u goes around the axis from -x by +z, v around the tube from the inner equator by below.
+    const double u = 0.5 - std::atan2(p.z, p.x) / (2 * std::numbers::pi);
+    const double v = 0.5 + std::atan2(p.y, off) / (2 * std::numbers::pi);
+    return {p, normal, normal, {u, v}};
   }
 
  private:
@@ -73,7 +70,7 @@ class PreparedTorus final : public Shape {
   double field(Vec3 p) const {
     const double flat = p.x * p.x + p.z * p.z, across = std::sqrt(flat);
     const double off = (flat - major_ * major_) / (across + major_);
-    return off * off + p.y * p.y - minor_ * minor_;
+    return (across + major_ > 0 ? off * off : 0) + p.y * p.y - minor_ * minor_;
   }
 
   /// The change of field() per step of the point along d.
@@ -83,34 +80,65 @@ class PreparedTorus final : public Shape {
     return 2 * ((across - major_) * outwards + p.y * d.y);
   }
 
-  void find(const Ray& ray, Roots& roots) const {
+  /// Finds the crossings in order, up to the first one in `until`.
+  void find(const Ray& ray, Roots& roots, Interval until = {}) const {
     const Interval stretch = clip(bounds(), ray, Interval::all());
     if (!(stretch.min < stretch.max)) return;
     // The stretch, a little widened so that its ends are outside, as s in [0, 1].
     const double margin = 0x1p-20 * (stretch.max - stretch.min);
     const double t0 = stretch.min - margin, step = stretch.max - stretch.min + 2 * margin;
     const Vec3 a = ray.at(t0) / scale_, b = (step / scale_) * ray.direction;
+    if (!std::isfinite(step) || !is_finite(a) || !is_finite(b)) return;
     const Bernstein<4> quartic = along(a, b);
-    const auto changes = sign_changes<4>(quartic);
-    const double moved = shift_error(ray, t0) / step;
-    for (std::size_t i = 0; i < changes.count; ++i) {
-      double s = changes.at[i].s;
-      const double low = i > 0 ? changes.at[i - 1].s : 0;
-      const double high = i + 1 < changes.count ? changes.at[i + 1].s : 1;
-      for (int pass = 0; pass < 3; ++pass) {
-        const double next = s - field(a + s * b) / slope(a + s * b, b);
-        if (!(next > low && next < high)) break;
-        s = next;
+    if (minor_ <= major_ && keeps_sign<4>(quartic)) return;
+    // field() is zero where the quartic is (and, in a spindle, not at the quartic's inner lens), so
+    // it has at most one zero between neighbouring extrema of the quartic.
+    const auto turns = sign_changes<3>({quartic[1] - quartic[0], quartic[2] - quartic[1],
+                                        quartic[3] - quartic[2], quartic[4] - quartic[3]});
+    const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
+    double low = 0;
+    bool outside = true;
+    for (std::size_t i = 0; i <= turns.count; ++i) {
+      const double high = i < turns.count ? turns.at[i].s : 1;
+      const bool outside_there = i == turns.count || field(a + high * b) > 0;
+      if (outside_there != outside && roots.count < 4) {
+        const double s = zero_between(a, b, low, high, outside);
+        const double t = t0 + s * step;
+        roots.at[roots.count++] = {.t = t,
+                                   .error = zero_error(a + s * b, b, misplaced) * step +
+                                            4 * kRounding * (std::fabs(t) + std::fabs(t0)),
+                                   .entering = outside};
+        if (until.surrounds(t)) return;
       }
-      const Vec3 p = a + s * b;
-      const double steep = std::fabs(slope(p, b));
-      const double residual = 8 * kRounding * (minor_ * minor_ + dot(abs(p), abs(p)) * minor_);
-      const double error = steep > 0 ? residual / steep : std::sqrt(residual);
-      roots.at[roots.count++] = {.t = t0 + s * step,
-                                 .error = (std::min(error, 1e-4) + moved) * step +
-                                          4 * kRounding * std::fabs(t0 + s * step),
-                                 .entering = !changes.at[i].rises};
+      low = high;
+      outside = outside_there;
     }
+  }
+
+  /// The zero of field() on a stretch where its sign changes once: Newton steps, halving where a
+  /// step leaves the bracket.
+  double zero_between(Vec3 a, Vec3 b, double low, double high, bool falls) const {
+    double s = 0.5 * (low + high);
+    for (int i = 0; i < 80; ++i) {
+      const Vec3 p = a + s * b;
+      const double value = field(p);
+      ((value > 0) == falls ? low : high) = s;
+      double next = s - value / slope(p, b);
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      if (std::fabs(next - s) <= 0x1p-50 * s || next <= low || next >= high) return next;
+      s = next;
+    }
+    return s;
+  }
+
+  /// A bound on the error in s of a zero at p, whose place is off by `misplaced`: of the first
+  /// order where the ray is steep, of the second where it grazes the tube.
+  double zero_error(Vec3 p, Vec3 b, double misplaced) const {
+    const double off = 4 * kRounding * max_component(abs(p)) + 2 * misplaced;
+    const double residual = 8 * kRounding * minor_ * minor_ + 2 * (minor_ + off) * off +
+                            8 * kRounding * minor_ * major_;
+    const double steep = std::fabs(slope(p, b)), grazing = std::sqrt(residual / dot(b, b));
+    return steep > 0 ? std::min(2 * residual / steep, grazing) : grazing;
   }
 
   /// (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) along p = a + s b, in the Bernstein basis.
@@ -134,11 +162,8 @@ Result<ShapePtr> prepare(const Torus& torus) {
   if (!std::isfinite(torus.major_radius) || !std::isfinite(torus.minor_radius)) {
     return fail("torus: a radius is not finite");
   }
-  const Torus positive{std::fabs(torus.major_radius), std::fabs(torus.minor_radius)};
-  if (!(positive.major_radius + positive.minor_radius > 0)) {
-    return fail("torus: both radii are zero");
-  }
-  return std::make_unique<PreparedTorus>(positive);
+  return std::make_unique<PreparedTorus>(
+      Torus{std::fabs(torus.major_radius), std::fabs(torus.minor_radius)});
 }
 
 }  // namespace dioptre

@@ -45,7 +45,7 @@ double hexagon_block(Vec3 p) {
   constexpr double kHalf = std::numbers::sqrt3 / 2;
   const double column = std::floor(p.x / 1.5);
   double nearest = 1e300, i_nearest = 0, j_nearest = 0;
-  for (double i = column; i <= column + 1; ++i) {
+  for (const double i : {column, column + 1}) {
     const double j = std::round((p.z - i * kHalf) / (2 * kHalf));
     const double dx = p.x - 1.5 * i, dz = p.z - i * kHalf - j * 2 * kHalf;
     const double distance = dx * dx + dz * dz;

@@ -36,6 +36,7 @@ Affine parse_transform_block(Parser& parser);
 /// What an object statement makes: a solid or sheet unless it is not drawn, and light sources.
 struct Item {
   Object object;
+  SourcePosition where;
   bool drawn = true;
   std::vector<Light> lights;
 };
@@ -52,7 +53,8 @@ void parse_object_modifiers(Parser& parser, Item& item);
 Described to_described(Item item, Keyword keyword);
 /// Puts an item into the world.
 void add_root(Parser& parser, Item item);
-ObjectId add_part(Parser& parser, Object object);
+/// Puts an object into the scene as a part of others.
+ObjectId add_part(Parser& parser, Object object, SourcePosition where = {});
 /// The parameters of a shape, at the first one. False if the keyword is no shape.
 bool parse_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_composite_shape(Parser& parser, Keyword keyword, Item& item);

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/geometry/shape_samples_test.h"
+
+#include <array>
+
+namespace dioptre {
+namespace {
+
+/// Each quadric's ten coefficients in the order of a scene file.
+Quadric quadric(const std::array<double, 10>& c) {
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}, c[9]};
+}
+
+/// The number of the term x^a y^b z^c in a Poly of some order.
+std::size_t term(int order, int a, int b, int c) {
+  std::size_t index = 0;
+  for (int i = order; i >= 0; --i) {
+    for (int j = order - i; j >= 0; --j) {
+      for (int k = order - i - j; k >= 0; --k, ++index) {
+        if (i == a && j == b && k == c) return index;
+      }
+    }
+  }
+  return index;
+}
+
+Poly poly(int order, const std::vector<std::array<double, 4>>& terms) {
+  Poly p;
+  p.order = static_cast<std::uint32_t>(order);
+  p.coefficients.resize(term(order, -1, 0, 0));
+  for (const auto& [c, a, b, e] : terms) {
+    p.coefficients[term(order, static_cast<int>(a), static_cast<int>(b), static_cast<int>(e))] = c;
+  }
+  return p;
+}
+
+Mesh octahedron(Vec3 inside_vector) {
+  MeshData data;
+  data.corners = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const std::uint32_t x : {0u, 1u}) {
+    for (const std::uint32_t y : {2u, 3u}) {
+      for (const std::uint32_t z : {4u, 5u}) {
+        MeshData::Face face;
+        face.corners = {x, y, z};
+        data.faces.push_back(face);
+      }
+    }
+  }
+  Mesh mesh;
+  mesh.data = data;
+  mesh.inside_vector = inside_vector;
+  return mesh;
+}
+
+Prism prism(PrismSpline spline, bool conic, std::vector<Vec2> outline) {
+  Prism p;
+  p.spline = spline;
+  p.conic = conic;
+  p.height1 = conic ? 0.5 : -1;
+  p.height2 = 1;
+  p.outlines = {std::move(outline)};
+  return p;
+}
+
+Blob blob() {
+  Blob b;
+  b.threshold = 0.3;
+  BlobComponent ball, rod;
+  ball.radius = 1.2;
+  rod.cylinder = true;
+  rod.b = {2, 0.5, 0};
+  rod.radius = 0.6;
+  b.components = {ball, rod};
+  return b;
+}
+
+Text text() {
+  Text t;
+  t.font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  t.text = "a8";
+  t.thickness = 0.4;
+  return t;
+}
+
+void add_convex(std::vector<ShapeSample>& all) {
+  const auto add = [&](const char* name, ShapeData data) { all.push_back({name, data, true}); };
+  add("UnitSphere", Sphere{});
+  add("FarSphere", Sphere{{1000, -2000, 500}, 0.01});
+  add("HugeSphere", Sphere{{1, 2, 3}, 1e9});
+  add("Box", Box{{1, -2, 3}, {-1, 0.5, 3.25}});
+  add("ThinBox", Box{{-1, 0, -1}, {1, 1e-6, 1}});
+  add("Plane", Plane{{0, 2, 0}, 0.5});
+  add("TiltedPlane", Plane{{1, -2, 0.5}, -0.25});
+  add("Cylinder", Cylinder{{0, -1, 0}, {0, 1, 0}, 0.7});
+  add("TiltedCylinder", Cylinder{{1, 2, 3}, {-1, 0.5, 3.5}, 0.2});
+  add("LongCylinder", Cylinder{{-20, 0, 0}, {20, 1, 0}, 0.3});
+  add("OpenCylinder", Cylinder{{0, 0, 0}, {1, 1, 0}, 1, true});
+  add("Cone", Cone{{0, -1, 0}, 1, {0, 1, 0}, 0});
+  add("SwappedCone", Cone{{0, -1, 0}, 0, {0.5, 1, 0}, 0.8});
+  add("Frustum", Cone{{1, 0, 0}, 0.9, {0, 2, -1}, 0.4});
+  add("OpenCone", Cone{{0, 0, 0}, 1, {0, 1, 0}, 0.2, true});
+  add("Ellipsoid", quadric({1, 4, 2, 0, 0, 0, 0.5, 0, 0, -1}));
+  add("TurnedEllipsoid", quadric({2, 3, 4, 1, -1, 0.5, 0.3, -0.2, 0.1, -1}));
+  add("QuadricCylinder", quadric({1, 0, 1, 0, 0, 0, 0, 0, 0, -1}));
+  add("Paraboloid", quadric({1, 0, 1, 0, 0, 0, 0, -1, 0, 0}));
+  add("QuadricSlab", quadric({1, 0, 0, 0, 0, 0, 0, 0, 0, -1}));
+  add("QuadricPlane", quadric({0, 0, 0, 0, 0, 0, 1, 2, 0, -0.5}));
+}
+
+void add_quartics(std::vector<ShapeSample>& all) {
+  const auto add = [&](const char* name, ShapeData data) { all.push_back({name, data}); };
+  add("Hyperboloid", quadric({1, -1, 1, 0, 0, 0, 0, 0, 0, -0.25}));
+  add("TwoSheets", quadric({1, -1, 1, 0, 0, 0, 0, 0, 0, 0.25}));
+  add("QuadricCone", quadric({1, -1, 1, 0, 0, 0, 0, 0, 0, 0}));
+  add("Saddle", quadric({0, 0, 0, 1, 0, 0, 0, 0, 1, 0}));
+  add("Torus", Torus{1, 0.25});
+  add("ThinTorus", Torus{2, 0.02});
+  add("HornTorus", Torus{1, 1});
+  add("Spindle", Torus{0.5, 1});
+  add("BallTorus", Torus{0, 1});
+  add("SphereAsPoly", poly(2, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-1, 0, 0, 0}}));
+  add("CubicPoly", poly(3, {{1, 3, 0, 0}, {1, 0, 1, 1}, {-1, 0, 0, 1}, {0.2, 0, 0, 0}}));
+  add("QuarticPoly", poly(4, {{1, 4, 0, 0}, {1, 0, 4, 0}, {1, 0, 0, 4}, {-1, 0, 0, 0}}));
+  add("OcticPoly",
+      poly(8, {{1, 8, 0, 0}, {1, 0, 8, 0}, {1, 0, 0, 8}, {-1, 2, 2, 0}, {-0.3, 0, 0, 0}}));
+}
+
+void add_others(std::vector<ShapeSample>& all) {
+  const auto add = [&](std::string name, ShapeData data) { all.push_back({name, data}); };
+  add("Disc", Disc{{1, 0, 2}, {1, 1, 0.3}, 1.5});
+  add("Annulus", Disc{{0, 0, 0}, {0, 1, 0}, 1, 0.5});
+  add("Triangle", Triangle{{0, 0, 0}, {2, 0.3, 0}, {0.2, 1.5, 1}, {}});
+  add("SheetMesh", octahedron({}));
+  add("SolidMesh", octahedron({0.3, 1, 0.2}));
+  Polygon star;
+  star.outlines = {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.7, 0}, {0, 2, 0}}};
+  add("Polygon", star);
+  for (const bool conic : {false, true}) {
+    const std::string kind = conic ? "Conic" : "";
+    add(kind + "LinearPrism",
+        prism(PrismSpline::kLinear, conic, {{1, 1}, {-1, 1}, {-1, -1}, {0.5, -1}, {0, 0}}));
+    add(kind + "QuadraticPrism",
+        prism(PrismSpline::kQuadratic, conic,
+              {{0.3, -1.2}, {1, -1}, {1.4, 1}, {-1, 1.2}, {-1, -1}, {1, -1}}));
+    add(kind + "CubicPrism",
+        prism(PrismSpline::kCubic, conic,
+              {{0.3, -1.2}, {1, -1}, {1.4, 1}, {0, 0.3}, {-1, 1.2}, {-1, -1}, {1, -1}, {2, 2}}));
+    add(kind + "BezierPrism",
+        prism(PrismSpline::kBezier, conic,
+              {{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 2}, {3, 1}, {2, 0}, {0, 0}}));
+  }
+  add("Blob", blob());
+  add("Text", text());
+}
+
+}  // namespace
+
+std::vector<ShapeSample> shape_samples() {
+  std::vector<ShapeSample> all;
+  add_convex(all);
+  add_quartics(all);
+  add_others(all);
+  return all;
+}
+
+}  // namespace dioptre
