@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dioptre/shading/noise/noise.h"
+
 namespace dioptre {
 namespace {
 
@@ -22,16 +24,26 @@ double mean_density(const Fog& fog, const Ray& ray, double distance) {
   return h0 <= 0 ? 1 : 1 / (1 + h0 * h0);
 }
 
-/// How much of the light is lost, as an optical depth.
+NoiseGenerator noise_of(const Settings& settings) {
+  return settings.noise_generator == 1   ? NoiseGenerator::kOriginal
+         : settings.noise_generator == 3 ? NoiseGenerator::kPerlin
+                                         : NoiseGenerator::kRangeCorrected;
+}
+
+/// How much of the light is lost, as an optical depth. Turbulence is looked up once, in the middle
+/// of the stretch, and counts less the thicker the mist (measured):
+/// depth (1 - turb_depth min(1, S) exp(-distance / fog distance)).
 double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, double distance) {
   constexpr double kFar = 1e7;  // the sky's distance in the scene language
   distance = std::min(distance, kFar);
   double depth = distance / fog.distance;
+  const double thinning = std::exp(-depth);
   if (fog.ground) depth *= mean_density(fog, ray, distance);
   if (fog.turbulence == Vec3{}) return depth;
-  const Vec3 p = fog.turbulence * ray.at(std::min(distance, kFar) / 2);
-  const Vec3 turbulence = scene.textures().turbulence(p, fog.octaves, fog.omega, fog.lambda);
-  return depth * (1 - std::min(1.0, length(turbulence)) * fog.turb_depth);
+  const double s =
+      scalar_turbulence(fog.turbulence * ray.at(distance / 2), {fog.octaves, fog.omega, fog.lambda},
+                        noise_of(scene.scene().settings));
+  return depth * (1 - fog.turb_depth * std::min(1.0, s) * thinning);
 }
 
 }  // namespace

@@ -27,6 +27,20 @@ Vec3 mirror_direction(Vec3 direction, Vec3 normal, Vec3 true_normal) {
 
 double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
 
+/// The index of refraction behind a surface over the one before it, for a ray inside `media`; 0 for
+/// a surface without an interior.
+double ior_behind(const Scene& scene, InteriorId interior, const MediaStack& media) {
+  if (!interior || !at(scene.interiors, interior).has_ior) return 0;
+  MediaStack beyond = media;
+  const MediaStack::Entry entry = MediaStack::entry(interior, nullptr);
+  if (beyond.contains(entry)) {
+    beyond.leave(entry);
+  } else {
+    beyond.enter(entry, false);
+  }
+  return ior_of(scene, beyond.top()) / ior_of(scene, media.top());
+}
+
 }  // namespace
 
 /// What one thread needs at hand, by depth of recursion; grows once and stays.
@@ -40,7 +54,7 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
     : scene_(scene), direct_(scene, options), reflections_(options.quality >= 8) {
   const Vec3 eye = scene.scene().camera.location;
   for (const Item& item : scene.items()) {
-    const InteriorId interior = scene.interior(item);
+    const InteriorId interior = scene.interior_of(item);
     if ((interior || !item.hollow) && item.shape->contains(eye)) {
       camera_media_.enter(MediaStack::entry(interior, &item), item.hollow);
     }
@@ -141,7 +155,8 @@ Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& s
   }
   transmitted = reflections_ ? filter : Color{};
   for (std::uint32_t i = 0; i < stack.count && reflections_; ++i) {
-    const Color share = reflectance(layer(i), path.ray.direction, ior_ratio(at, path));
+    const Color share = reflectance(layer(i), path.ray.direction,
+                                    ior_behind(scene_.scene(), at.part->interior, path.media));
     if (is_black(share)) continue;
     if (layer(i).finish->conserve_energy) transmitted *= Color{1, 1, 1} - share;
     radiance += share * mirrored(at, layer(i).normal, share * stack.weight, path, scratch);

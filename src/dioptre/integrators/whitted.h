@@ -31,8 +31,12 @@ class Whitted final : public RayIntegrator {
   struct Scratch;
 
   Radiance trace(Path path, Scratch& scratch) const;
-  Color shade_layers(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                     const Path& path, Scratch& scratch, std::uint32_t depth) const;
+  Color shade(const SurfaceInteraction& at, const TextureSample::Stack& stack, const Path& path,
+              Scratch& scratch, Color& transmitted) const;
+  Color light_from(const LightSource& light, const SurfaceInteraction& at,
+                   const TextureSample::Stack& stack, const Path& path, Scratch& scratch) const;
+  Color mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,
+                 Scratch& scratch) const;
   bool transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Color share,
                 Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;

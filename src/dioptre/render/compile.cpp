@@ -33,15 +33,10 @@ class Compiler {
   }
 
   Result<void> finish(const CompileOptions& options) {
-    for (std::uint32_t i = 0; i < out_.items_.size(); ++i) {
-      Item& item = out_.items_[i];
-      bool interior = false;
+    for (Item& item : out_.items_) {
       for (std::uint32_t p = 0; p < item.part_count; ++p) {
-        const Part& part = out_.parts_[item.first_part + p];
-        item.opaque = item.opaque && opaque(part);
-        interior = interior || part.interior;
+        item.opaque = item.opaque && opaque(out_.parts_[item.first_part + p]);
       }
-      if (interior && item.shape->solid()) out_.interior_items_.push_back(i);
     }
     std::vector<Bounds> boxes;
     boxes.reserve(out_.items_.size());

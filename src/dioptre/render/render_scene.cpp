@@ -141,23 +141,4 @@ Color RenderScene::transmittance(const Ray& ray, Interval range) const {
   return through;
 }
 
-std::vector<InteriorId> RenderScene::interiors_at(Vec3 point) const {
-  std::vector<InteriorId> interiors;
-  for (const std::uint32_t index : interior_items_) {
-    const Item& item = items_[index];
-    const InteriorId interior = parts_[item.first_part].interior;
-    if (interior && item.shape->contains(point)) interiors.push_back(interior);
-  }
-  return interiors;
-}
-
-bool RenderScene::inside_solid(Vec3 point) const {
-  std::vector<std::uint32_t> around;
-  accelerator_->items_at(point, around);
-  for (const std::uint32_t index : around) {
-    if (!items_[index].hollow && items_[index].shape->contains(point)) return true;
-  }
-  return false;
-}
-
 }  // namespace dioptre

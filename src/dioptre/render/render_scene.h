@@ -85,11 +85,8 @@ class RenderScene {
   void evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
                         TextureSample& out) const;
 
-  /// The interiors around a point, in the order of the items.
-  std::vector<InteriorId> interiors_at(Vec3 point) const;
-
-  /// Whether the point lies inside an object that is not hollow: no atmosphere there.
-  bool inside_solid(Vec3 point) const;
+  /// The interior of an item as a whole: that of its first part. May be none.
+  InteriorId interior_of(const Item& item) const { return parts_[item.first_part].interior; }
 
  private:
   friend class Compiler;
@@ -105,7 +102,6 @@ class RenderScene {
   std::vector<Item> items_;
   std::vector<Part> parts_;
   std::vector<Placement> placements_;
-  std::vector<std::uint32_t> interior_items_;  ///< items that have an interior or are not hollow
   AcceleratorPtr accelerator_;
   std::unique_ptr<const TextureEvaluator> textures_;
 };

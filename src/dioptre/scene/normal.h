@@ -111,7 +111,10 @@ struct UvNormal {
   }
 };
 
-/// How the shading normal of a surface is disturbed.
+/// How the shading normal of a surface is disturbed. It is carried into the pattern's space as a
+/// covector by the transforms among the warps, made unit there (not with `no_bump_scale`),
+/// disturbed, carried back and made unit: uniform scaling does not change the bumps' steepness.
+/// Entries of a normal map are evaluated inside the warps of the map.
 struct Normal {
   std::variant<PatternNormal, NormalMapNormal, AverageNormal, BumpMapNormal, UvNormal> data;
   double bump_size = 1;  ///< multiplies the amount

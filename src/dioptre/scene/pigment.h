@@ -64,7 +64,8 @@ struct ColorMapPigment {
   }
 };
 
-/// Pigments chosen by a pattern.
+/// Pigments chosen by a pattern. An entry is evaluated at the point inside all warps of the pattern
+/// (transforms, turbulence): what moves the map moves its entries.
 struct PigmentMapPigment {
   static constexpr const char* kName = "pigment_map";
   Pattern pattern;
@@ -80,7 +81,7 @@ struct PigmentMapPigment {
   }
 };
 
-/// The weighted mean of pigments.
+/// The weighted mean of pigments, evaluated at the point inside the warps.
 struct AveragePigment {
   static constexpr const char* kName = "average";
   std::vector<PigmentEntry> entries;

@@ -53,7 +53,8 @@ struct TextureEntry {
   }
 };
 
-/// Textures chosen by a pattern.
+/// Textures chosen by a pattern. An entry is evaluated at the point inside all warps of the
+/// pattern.
 struct TextureMap {
   static constexpr const char* kName = "texture_map";
   Pattern pattern;

@@ -74,8 +74,17 @@ double waves(Vec3 p, std::uint32_t sources) {
   return 0.5 + 0.2 * sum / sources;
 }
 
-/// The angle about z in turns, counter-clockwise from -y.
-double turns(Vec3 p) { return p.x == 0 && p.y == 0 ? 0 : std::atan2(p.x, -p.y) / kTurn; }
+/// The angle about z in turns, 0 to 1, counter-clockwise from -y.
+double turns(Vec3 p) {
+  const double t = p.x == 0 && p.y == 0 ? 0 : std::atan2(p.x, -p.y) / kTurn;
+  return t < 0 ? t + 1 : t;
+}
+
+/// A triangle wave of period 1 between 0 and 1.
+double triangle(double v) {
+  v -= std::floor(v);
+  return v < 0.5 ? 2 * v : 2 - 2 * v;
+}
 
 double slope_value(Vec3 p, const Viewpoint& viewpoint, const Slope& slope) {
   const auto rescaled = [](double v, double low, double high) {
@@ -221,8 +230,13 @@ struct Maker {
     return field([](Vec3 p) { return std::max(0.0, 1 - length(p)); });
   }
   Made operator()(const Spiral& spiral) const {
-    return field([n = static_cast<double>(spiral.arms)](Vec3 p) {
-      return n * turns(p) + std::hypot(p.x, p.y) + p.z;
+    const auto n = static_cast<double>(spiral.arms);
+    if (!spiral.two_sided) {
+      return field([n](Vec3 p) { return n * turns(p) + std::hypot(p.x, p.y) + p.z; });
+    }
+    return field([n](Vec3 p) {
+      const double radius = std::hypot(p.x, p.y);
+      return triangle(radius) + triangle(n * turns(p) + radius + p.z);
     });
   }
   Made operator()(const Square&) const { return field(square_block); }

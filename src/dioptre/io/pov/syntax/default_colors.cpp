@@ -13,9 +13,12 @@ ColorEntry entry(double position, float r, float g, float b) {
 
 struct DefaultColors {
   Entries operator()(const Agate&) const {
-    return {entry(0, 1, 1, 1),           entry(0.5, 0.95f, 0.75f, 0.5f),
-            entry(0.5, 0.9f, 0.7f, 0.5f), entry(0.6, 0.9f, 0.7f, 0.4f),
-            entry(0.6, 1, 0.7f, 0.4f),    entry(1, 0.6f, 0.3f, 0)};
+    return {entry(0, 1, 1, 1),
+            entry(0.5, 0.95f, 0.75f, 0.5f),
+            entry(0.5, 0.9f, 0.7f, 0.5f),
+            entry(0.6, 0.9f, 0.7f, 0.4f),
+            entry(0.6, 1, 0.7f, 0.4f),
+            entry(1, 0.6f, 0.3f, 0)};
   }
   Entries operator()(const Bozo&) const {
     return {entry(0.4, 1, 1, 1), entry(0.4, 0, 1, 0), entry(0.6, 0, 1, 0),
@@ -28,8 +31,7 @@ struct DefaultColors {
     return {entry(0.6, 0.666f, 0.312f, 0.2f), entry(0.6, 0.4f, 0.133f, 0.066f)};
   }
   Entries operator()(const Radial&) const {
-    return {entry(0, 0, 1, 1), entry(1.0 / 3, 1, 1, 0), entry(2.0 / 3, 1, 0, 1),
-            entry(1, 0, 1, 1)};
+    return {entry(0, 0, 1, 1), entry(1.0 / 3, 1, 1, 0), entry(2.0 / 3, 1, 0, 1), entry(1, 0, 1, 1)};
   }
   Entries operator()(const Fractal& fractal) const {
     if (fractal.julia || fractal.magnet) return grays();

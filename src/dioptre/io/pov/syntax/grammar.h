@@ -95,9 +95,11 @@ TextureId transformed(Parser& parser, TextureId texture, const Affine& by);
 /// The layers of one texture over those of another.
 TextureId layered(Parser& parser, TextureId below, TextureId above);
 
-// --- unrendered blocks ----------------------------------------------------------------------------
+// --- unrendered blocks
+// ----------------------------------------------------------------------------
 void parse_media(Parser& parser);
 void parse_density(Parser& parser);
+void parse_density_map(Parser& parser);
 void parse_photons(Parser& parser);
 void parse_rainbow(Parser& parser);
 void parse_radiosity(Parser& parser);

@@ -24,9 +24,7 @@ AfterPosition parse_after_position(Parser& parser) {
       found.position = n.v[0];
       return found;
     }
-    const auto f = [&](std::size_t i) {
-      return i < n.size ? static_cast<float>(n.v[i]) : 0.0f;
-    };
+    const auto f = [&](std::size_t i) { return i < n.size ? static_cast<float>(n.v[i]) : 0.0f; };
     PigmentColor color{{f(0), f(1), f(2)}, f(3), f(4)};
     for (;;) {
       if (parser.accept(Keyword::kFilter)) {

@@ -186,9 +186,8 @@ class Modifiers {
   }
 
   void set_interior_texture(TextureId texture) {
-    object_.interior_texture = object_.interior_texture
-                                   ? layered(parser_, object_.interior_texture, texture)
-                                   : texture;
+    object_.interior_texture =
+        object_.interior_texture ? layered(parser_, object_.interior_texture, texture) : texture;
   }
 
   void wear(const MaterialValue& material) {
@@ -209,7 +208,8 @@ class Modifiers {
     }
     while (!parser_.accept('}')) {
       Item clip = parse_object(parser_);
-      if (clip.drawn) object_.clipped_by.push_back(add_part(parser_, std::move(clip.object), clip.where));
+      if (clip.drawn)
+        object_.clipped_by.push_back(add_part(parser_, std::move(clip.object), clip.where));
       parser_.skip_comma();
     }
   }
@@ -219,7 +219,8 @@ class Modifiers {
     const Parser::Nesting nesting(parser_);
     parser_.expect('{', "after bounded_by");
     if (parser_.accept(Keyword::kClippedBy)) {
-      for (const ObjectId id : object_.clipped_by) bounds_.push_back(at(parser_.scene().objects, id));
+      for (const ObjectId id : object_.clipped_by)
+        bounds_.push_back(at(parser_.scene().objects, id));
     }
     while (!parser_.accept('}')) {
       Item bound = parse_object(parser_);

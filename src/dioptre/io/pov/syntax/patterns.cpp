@@ -8,9 +8,9 @@ namespace {
 /// The patterns that are only a keyword.
 bool set_plain(Keyword keyword, Pattern& pattern) {
   switch (keyword) {
-#define DIOPTRE_PLAIN(name)     \
-  case Keyword::k##name:        \
-    pattern.data = name{}; \
+#define DIOPTRE_PLAIN(name) \
+  case Keyword::k##name:    \
+    pattern.data = name{};  \
     return true;
     DIOPTRE_PLAIN(Agate)
     DIOPTRE_PLAIN(Aoi)
@@ -106,9 +106,7 @@ Gradient parse_gradient(Parser& parser) {
   return {direction};
 }
 
-PigmentPattern parse_pigment_pattern(Parser& parser) {
-  return {parse_pigment(parser, {})};
-}
+PigmentPattern parse_pigment_pattern(Parser& parser) { return {parse_pigment(parser, {})}; }
 
 /// The object of an object pattern; the list of its two parts and a closing brace follow.
 void parse_object_pattern(Parser& parser, Pattern& pattern) {
@@ -308,24 +306,23 @@ bool parse_kind_modifier(Parser& parser, Pattern& pattern) {
   }
 }
 
+/// How many parts each kind of pattern has.
+struct Count {
+  std::size_t operator()(const Checker&) const { return 2; }
+  std::size_t operator()(const Brick&) const { return 2; }
+  std::size_t operator()(const Hexagon&) const { return 3; }
+  std::size_t operator()(const Square&) const { return 4; }
+  std::size_t operator()(const Triangular&) const { return 6; }
+  std::size_t operator()(const Cubic&) const { return 6; }
+  std::size_t operator()(const ObjectPattern&) const { return 2; }
+  template <class T>
+  std::size_t operator()(const T&) const {
+    return 0;
+  }
+};
 }  // namespace
 
-std::size_t parts_of(const Pattern& pattern) {
-  struct Count {
-    std::size_t operator()(const Checker&) const { return 2; }
-    std::size_t operator()(const Brick&) const { return 2; }
-    std::size_t operator()(const Hexagon&) const { return 3; }
-    std::size_t operator()(const Square&) const { return 4; }
-    std::size_t operator()(const Triangular&) const { return 6; }
-    std::size_t operator()(const Cubic&) const { return 6; }
-    std::size_t operator()(const ObjectPattern&) const { return 2; }
-    template <class T>
-    std::size_t operator()(const T&) const {
-      return 0;
-    }
-  };
-  return std::visit(Count{}, pattern.data);
-}
+std::size_t parts_of(const Pattern& pattern) { return std::visit(Count{}, pattern.data); }
 
 std::optional<BlockPattern> parse_pattern_kind(Parser& parser, Pattern& pattern) {
   const Keyword keyword = keyword_at(parser);

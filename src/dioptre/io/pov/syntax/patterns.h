@@ -11,7 +11,7 @@ namespace dioptre::pov {
 
 /// How a block of a pattern begins that divides space into numbered parts.
 struct BlockPattern {
-  std::size_t parts = 0;  ///< 0: a pattern with values, not with parts
+  std::size_t parts = 0;   ///< 0: a pattern with values, not with parts
   bool in_braces = false;  ///< the list of parts follows within braces that are still open
 };
 /// Reads the keyword of a pattern with what belongs to it; nothing if none is next.

@@ -83,9 +83,9 @@ void parse_prism(Parser& parser, Item& item) {
     parser.skip_comma();
     points.push_back(parser.parse_vec2());
   }
-  const std::size_t fewest = prism.spline == PrismSpline::kLinear      ? 3
-                             : prism.spline == PrismSpline::kCubic     ? 5
-                                                                       : 4;
+  const std::size_t fewest = prism.spline == PrismSpline::kLinear  ? 3
+                             : prism.spline == PrismSpline::kCubic ? 5
+                                                                   : 4;
   if (points.size() < fewest) {
     parser.fail_at(where, "this prism needs at least " + std::to_string(fewest) + " points");
   }

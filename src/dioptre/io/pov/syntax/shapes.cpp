@@ -116,9 +116,7 @@ Poly parse_poly(Parser& parser, SourcePosition where) {
   return parse_coefficients(parser, static_cast<std::uint32_t>(order));
 }
 
-bool is_degenerate(const Triangle& t) {
-  return cross(t.b - t.a, t.c - t.a) == Vec3{};
-}
+bool is_degenerate(const Triangle& t) { return cross(t.b - t.a, t.c - t.a) == Vec3{}; }
 
 /// A degenerate triangle is left out with a warning.
 Triangle parse_triangle(Parser& parser, bool smooth, bool& drawn) {

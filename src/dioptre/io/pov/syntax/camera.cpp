@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// camera { ... }
+#include <cmath>
+#include <numbers>
+
+#include "dioptre/io/pov/syntax/grammar.h"
+
+namespace dioptre::pov {
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// Reads the contents of one camera. Angle and look_at act on the vectors as they are at the end.
+class CameraParser {
+ public:
+  CameraParser(Parser& parser, Camera& camera) : parser_(parser), camera_(camera) {}
+
+  /// Up to the closing brace, which is taken.
+  void parse() {
+    while (!parser_.accept('}')) {
+      if (parser_.accept(',')) continue;
+      if (const auto named = take<Camera>(parser_)) {
+        camera_ = *named;
+      } else if (const auto by = parse_transforms(parser_)) {
+        finish();
+        transform(*by);
+      } else if (!parse_kind() && !parse_vectors() && !parse_lens()) {
+        parser_.fail_expected("a camera modifier or '}'");
+      }
+    }
+    finish();
+  }
+
+ private:
+  using Kind = Camera::Kind;
+
+  bool kind(Kind kind) {
+    parser_.next();
+    camera_.kind = kind;
+    return true;
+  }
+
+  bool parse_kind() {
+    switch (keyword_at(parser_)) {
+      case Keyword::kPerspective:
+        return kind(Kind::kPerspective);
+      case Keyword::kOrthographic:
+        return kind(Kind::kOrthographic);
+      case Keyword::kFisheye:
+        return kind(Kind::kFisheye);
+      case Keyword::kUltraWideAngle:
+        return kind(Kind::kUltraWideAngle);
+      case Keyword::kOmnimax:
+        return kind(Kind::kOmnimax);
+      case Keyword::kPanoramic:
+        return kind(Kind::kPanoramic);
+      case Keyword::kSpherical:
+        return kind(Kind::kSpherical);
+      case Keyword::kCylinder:
+        kind(Kind::kCylinder);
+        camera_.cylinder_type = static_cast<std::uint32_t>(parse_whole(parser_, 1, 4));
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  bool vector(Vec3& value) {
+    parser_.next();
+    value = parser_.parse_vec3();
+    return true;
+  }
+  bool number(double& value) {
+    parser_.next();
+    value = parser_.parse_float();
+    return true;
+  }
+
+  bool parse_vectors() {
+    switch (keyword_at(parser_)) {
+      case Keyword::kLocation:
+        return vector(camera_.location);
+      case Keyword::kDirection:
+        return vector(camera_.direction);
+      case Keyword::kRight:
+        return vector(camera_.right);
+      case Keyword::kUp:
+        return vector(camera_.up);
+      case Keyword::kSky:
+        return vector(camera_.sky);
+      case Keyword::kLookAt:
+        return vector(look_at_.emplace());
+      case Keyword::kAngle:
+        return parse_angle();
+      default:
+        return false;
+    }
+  }
+
+  bool parse_angle() {
+    const SourcePosition where = parser_.next().position;
+    camera_.angle = parser_.parse_float();
+    if (camera_.kind == Kind::kSpherical && parser_.accept(',')) {
+      camera_.vertical_angle = parser_.parse_float();
+    }
+    angle_at_ = where;
+    has_angle_ = true;
+    return true;
+  }
+
+  bool parse_lens() {
+    switch (keyword_at(parser_)) {
+      case Keyword::kAperture:
+        return number(camera_.aperture);
+      case Keyword::kFocalPoint:
+        return vector(focal_point_.emplace());
+      case Keyword::kBlurSamples:
+        parser_.next();
+        camera_.blur_samples = samples();
+        if (parser_.accept(',')) {
+          camera_.blur_samples_min = camera_.blur_samples;
+          camera_.blur_samples = samples();
+        }
+        return true;
+      case Keyword::kConfidence:
+        return number(camera_.confidence);
+      case Keyword::kVariance:
+        return number(camera_.variance);
+      case Keyword::kBokeh:
+        parser_.next();
+        parse_bokeh();
+        return true;
+      case Keyword::kNormal:
+        parser_.next();
+        camera_.normal = parse_normal(parser_, camera_.normal);
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  std::uint32_t samples() { return static_cast<std::uint32_t>(parse_whole(parser_, 0, 1 << 20)); }
+
+  void parse_bokeh() {
+    const Parser::Nesting nesting(parser_);
+    parser_.not_rendered("bokeh");
+    parser_.expect('{', "after bokeh");
+    if (!parser_.accept(Keyword::kPigment)) parser_.fail_expected("pigment");
+    parse_pigment(parser_, {});
+    parser_.expect('}', "after the pigment");
+  }
+
+  void finish() {
+    if (has_angle_) apply_angle();
+    if (look_at_) apply_look_at(*look_at_);
+    if (focal_point_) apply_focus(*focal_point_);
+    has_angle_ = false;
+    look_at_.reset();
+    focal_point_.reset();
+  }
+
+  /// The horizontal angle of view decides the length of the direction.
+  void apply_angle() {
+    const bool by_length =
+        camera_.kind == Kind::kPerspective || camera_.kind == Kind::kOrthographic;
+    if (!by_length) return;
+    if (!(camera_.angle > 0 && camera_.angle < 180)) {
+      parser_.fail_at(angle_at_, "the angle of the camera must be between 0 and 180 degrees");
+    }
+    const double size = length(camera_.direction);
+    if (size == 0) return;
+    const double wanted = 0.5 * length(camera_.right) / std::tan(radians(camera_.angle) / 2);
+    camera_.direction *= wanted / size;
+  }
+
+  void apply_look_at(Vec3 target) {
+    const Vec3 towards = target - camera_.location;
+    const double distance = length(towards);
+    if (distance == 0) {
+      parser_.fail("the camera looks at its own location", "move location or look_at");
+    }
+    const bool mirrored = dot(cross(camera_.up, camera_.direction), camera_.right) < 0;
+    const double right_length = length(camera_.right);
+    const double up_length = length(camera_.up);
+    const double direction_length = length(camera_.direction);
+    const Vec3 forward = towards / distance;
+    Vec3 right = cross(camera_.sky, forward);
+    if (length(right) == 0) {
+      parser_.warn("the camera looks along its sky vector");
+      right = std::fabs(forward.x) < 0.9 ? cross(Vec3{1, 0, 0}, forward)
+                                         : cross(Vec3{0, 0, 1}, forward);
+    }
+    right = normalize(right);
+    const Vec3 up = cross(forward, right);
+    camera_.direction = forward * direction_length;
+    camera_.right = right * (mirrored ? -right_length : right_length);
+    camera_.up = up * up_length;
+  }
+
+  void apply_focus(Vec3 point) {
+    const double size = length(camera_.direction);
+    if (size == 0) return;
+    camera_.focal_distance = dot(point - camera_.location, camera_.direction) / size;
+  }
+
+  void transform(const Affine& by) {
+    camera_.location = by.point(camera_.location);
+    camera_.direction = by.vector(camera_.direction);
+    camera_.right = by.vector(camera_.right);
+    camera_.up = by.vector(camera_.up);
+  }
+
+  Parser& parser_;
+  Camera& camera_;
+  std::optional<Vec3> look_at_, focal_point_;
+  bool has_angle_ = false;
+  SourcePosition angle_at_;
+};
+
+}  // namespace
+
+Camera parse_camera(Parser& parser) {
+  const Parser::Nesting nesting(parser);
+  parser.expect('{', "after camera");
+  Camera camera;
+  CameraParser(parser, camera).parse();
+  return camera;
+}
+
+}  // namespace dioptre::pov

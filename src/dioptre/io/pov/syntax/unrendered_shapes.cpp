@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that are read and checked but not rendered yet. Their modifiers follow as for any object.
+#include <initializer_list>
+
+#include "dioptre/io/pov/syntax/patterns.h"
+
+namespace dioptre::pov {
+namespace {
+
+constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
+
+bool accept_any(Parser& parser, std::initializer_list<Keyword> keywords) {
+  for (const Keyword keyword : keywords) {
+    if (parser.accept(keyword)) return true;
+  }
+  return false;
+}
+
+void skip_float(Parser& parser) {
+  parser.parse_float();
+  parser.skip_comma();
+}
+void skip_vector(Parser& parser) {
+  parser.parse_vec3();
+  parser.skip_comma();
+}
+
+void parse_spline_kind(Parser& parser) {
+  accept_any(parser, {Keyword::kLinearSpline, Keyword::kQuadraticSpline, Keyword::kCubicSpline,
+                      Keyword::kBezierSpline, Keyword::kBSpline, Keyword::kNaturalSpline});
+  parser.skip_comma();
+}
+
+/// COUNT, then points.
+void parse_lathe(Parser& parser) {
+  parse_spline_kind(parser);
+  const std::int64_t count = parse_whole(parser, 0, kMostPoints);
+  for (std::int64_t i = 0; i < count; ++i) {
+    parser.skip_comma();
+    parser.parse_vec2();
+  }
+}
+
+void parse_sphere_sweep(Parser& parser) {
+  parse_spline_kind(parser);
+  const std::int64_t count = parse_whole(parser, 0, kMostPoints);
+  for (std::int64_t i = 0; i < count; ++i) {
+    parser.skip_comma();
+    parser.parse_vec3();
+    parser.skip_comma();
+    parser.parse_float();
+  }
+  if (parser.accept(Keyword::kTolerance)) parser.parse_float();
+}
+
+void parse_bicubic_patch(Parser& parser) {
+  for (;;) {
+    if (accept_any(parser,
+                   {Keyword::kType, Keyword::kFlatness, Keyword::kUSteps, Keyword::kVSteps})) {
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kUvVectors)) {
+      for (int i = 0; i < 4; ++i) {
+        parser.parse_vec2();
+        parser.skip_comma();
+      }
+    } else if (!parser.accept(',')) {
+      break;
+    }
+  }
+  for (int i = 0; i < 16; ++i) skip_vector(parser);
+}
+
+void skip_image_format(Parser& parser) {
+  accept_any(parser, {Keyword::kGif, Keyword::kTga, Keyword::kPng, Keyword::kJpeg, Keyword::kTiff,
+                      Keyword::kPgm, Keyword::kPpm, Keyword::kSys, Keyword::kHdr, Keyword::kExr,
+                      Keyword::kPot});
+}
+
+void parse_height_field(Parser& parser) {
+  if (parser.accept(Keyword::kFunction)) {
+    skip_float(parser);
+    skip_float(parser);
+    parser.parse_function();
+  } else {
+    skip_image_format(parser);
+    parser.find_file(parser.parse_file_name());
+  }
+  for (;;) {
+    if (parser.accept(Keyword::kSmooth)) {
+      parser.parse_flag();
+    } else if (parser.accept(Keyword::kWaterLevel)) {
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kGamma)) {
+      if (!parser.accept(Keyword::kSrgb)) parser.parse_float();
+    } else if (parser.accept(Keyword::kPremultiplied)) {
+      parser.parse_flag();
+    } else if (!parser.accept(',')) {
+      return;
+    }
+  }
+}
+
+/// The kinds of quaternion formulas are words that stand alone.
+void parse_julia_fractal(Parser& parser) {
+  parser.parse_numeric();
+  for (;;) {
+    if (accept_any(parser, {Keyword::kMaxIteration, Keyword::kPrecision})) {
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kSlice)) {
+      parser.parse_numeric();
+      parser.skip_comma();
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kPwr)) {
+      parser.expect('(', "after pwr");
+      parser.parse_float();
+      parser.skip_comma();
+      parser.parse_float();
+      parser.expect(')', "after the exponent");
+    } else if (!parser.accept(',') &&
+               !accept_any(
+                   parser,
+                   {Keyword::kQuaternion, Keyword::kHypercomplex, Keyword::kSqr, Keyword::kCube,
+                    Keyword::kExp,        Keyword::kReciprocal,   Keyword::kSin, Keyword::kAsin,
+                    Keyword::kSinh,       Keyword::kAsinh,        Keyword::kCos, Keyword::kAcos,
+                    Keyword::kCosh,       Keyword::kAcosh,        Keyword::kTan, Keyword::kAtan,
+                    Keyword::kTanh,       Keyword::kAtanh,        Keyword::kLn,  Keyword::kLog})) {
+      return;
+    }
+  }
+}
+
+/// The container of isosurfaces and parametric surfaces.
+void parse_container(Parser& parser) {
+  parser.expect('{', "after contained_by");
+  if (parser.accept(Keyword::kSphere)) {
+    parser.expect('{', "after sphere");
+    skip_vector(parser);
+    parser.parse_float();
+    parser.skip_comma();
+  } else if (parser.accept(Keyword::kBox)) {
+    parser.expect('{', "after box");
+    skip_vector(parser);
+    skip_vector(parser);
+  } else {
+    parser.fail_expected("sphere or box");
+  }
+  parser.expect('}', "after the container");
+  parser.expect('}', "after contained_by");
+}
+
+void parse_functions(Parser& parser, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (!parser.accept(Keyword::kFunction)) parser.fail_expected("function");
+    parser.parse_function();
+    parser.skip_comma();
+  }
+}
+
+void parse_isosurface(Parser& parser) {
+  parse_functions(parser, 1);
+  for (;;) {
+    if (parser.accept(Keyword::kContainedBy)) {
+      parse_container(parser);
+    } else if (accept_any(parser, {Keyword::kThreshold, Keyword::kAccuracy, Keyword::kMaxGradient,
+                                   Keyword::kMaxTrace, Keyword::kMaxIntersections})) {
+      if (parser.at_expression()) skip_float(parser);
+    } else if (parser.accept(Keyword::kEvaluate)) {
+      skip_float(parser);
+      skip_float(parser);
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kOpen)) {
+      parser.parse_flag();
+    } else if (!parser.accept(Keyword::kAllIntersections) && !parser.accept(',')) {
+      return;
+    }
+  }
+}
+
+void parse_parametric(Parser& parser) {
+  parse_functions(parser, 3);
+  parser.parse_vec2();
+  parser.skip_comma();
+  parser.parse_vec2();
+  for (;;) {
+    if (parser.accept(Keyword::kContainedBy)) {
+      parse_container(parser);
+    } else if (accept_any(parser, {Keyword::kAccuracy, Keyword::kMaxGradient})) {
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kPrecompute)) {
+      skip_float(parser);
+      while (accept_any(parser, {Keyword::kX, Keyword::kY, Keyword::kZ})) parser.skip_comma();
+    } else if (!parser.accept(',')) {
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
+  parser.not_rendered(text_of(keyword));
+  item.drawn = false;
+  switch (keyword) {
+    case Keyword::kSuperellipsoid:
+      parser.parse_vec2();
+      return true;
+    case Keyword::kLathe:
+      parse_lathe(parser);
+      return true;
+    case Keyword::kSor:
+      parse_lathe(parser);
+      return true;
+    case Keyword::kSphereSweep:
+      parse_sphere_sweep(parser);
+      return true;
+    case Keyword::kBicubicPatch:
+      parse_bicubic_patch(parser);
+      return true;
+    case Keyword::kHeightField:
+      parse_height_field(parser);
+      return true;
+    case Keyword::kJuliaFractal:
+      parse_julia_fractal(parser);
+      return true;
+    case Keyword::kIsosurface:
+      parse_isosurface(parser);
+      return true;
+    case Keyword::kParametric:
+      parse_parametric(parser);
+      return true;
+    case Keyword::kOvus:
+      skip_float(parser);
+      parser.parse_float();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace dioptre::pov
