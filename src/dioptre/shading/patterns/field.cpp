@@ -99,6 +99,17 @@ double slope_value(Vec3 p, const Viewpoint& viewpoint, const Slope& slope) {
   return (value + height * altitude) / (1 + height);
 }
 
+/// From the centre q = 0 of each unit cube: (2 / (3 sqrt 3)) (|q.x| + |q.y| + |q.z|) B(|q|), with B
+/// the cubic Bezier curve of the control values 0, control0, control1, 1 (measured).
+double quilted_value(Vec3 p, const Quilted& quilted) {
+  const auto off = [](double v) { return std::fabs(v - std::floor(v) - 0.5); };
+  const Vec3 q{off(p.x), off(p.y), off(p.z)};
+  const double t = length(q), rest = 1 - t;
+  const double curve =
+      3 * t * rest * rest * quilted.control0 + 3 * t * t * rest * quilted.control1 + t * t * t;
+  return 2 / (3 * std::numbers::sqrt3) * (q.x + q.y + q.z) * curve;
+}
+
 /// Makes the field of each kind of pattern.
 struct Maker {
   NoiseGenerator generator;
@@ -176,8 +187,11 @@ struct Maker {
     return field([g = generator](Vec3 p) { return granite(p, g); });
   }
   Made operator()(const Hexagon&) const { return field(hexagon_block); }
-  Made operator()(const ImagePattern&) const {
-    return field([](Vec3) { return 0.0; });
+  Made operator()(const ImagePattern& pattern) const {
+    const bool known = services.images && pattern.image.index < services.images->size();
+    if (!known) return field([](Vec3) { return 0.0; });
+    return field(
+        [&image = (*services.images)[pattern.image.index]](Vec3 p) { return image.height(p); });
   }
   Made operator()(const Leopard&) const {
     return field([](Vec3 p) {
@@ -208,11 +222,8 @@ struct Maker {
   Made operator()(const Planar&) const {
     return field([](Vec3 p) { return std::max(0.0, 1 - std::fabs(p.y)); });
   }
-  Made operator()(const Quilted&) const {
-    return field([](Vec3 p) {
-      const auto off = [](double v) { return v - std::floor(v) - 0.5; };
-      return length(Vec3{off(p.x), off(p.y), off(p.z)}) / (0.5 * std::numbers::sqrt3);
-    });
+  Made operator()(const Quilted& quilted) const {
+    return field([quilted](Vec3 p) { return quilted_value(p, quilted); });
   }
   Made operator()(const Radial&) const {
     return field([](Vec3 p) {

@@ -4,9 +4,11 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "dioptre/core/vec.h"
 #include "dioptre/scene/scene.h"
+#include "dioptre/shading/images/image_sampler.h"
 #include "dioptre/shading/noise/noise.h"
 
 namespace dioptre {
@@ -28,6 +30,7 @@ class Field {
 /// What patterns ask of the rest of the texture machinery.
 struct PatternServices {
   const Scene* scene = nullptr;
+  const std::vector<ImageSampler>* images = nullptr;
   std::function<double(FunctionId, std::span<const double>)> call;
   std::function<PigmentColor(PigmentId, Vec3)> pigment;
   std::function<bool(ObjectId, Vec3)> inside;

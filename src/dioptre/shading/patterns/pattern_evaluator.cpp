@@ -18,14 +18,6 @@ OwnTurbulence octaves_of(const Turbulence* t) {
   return {t->amount, {t->octaves, t->omega, t->lambda}};
 }
 
-NoiseGenerator generator_of(const Pattern& pattern, const Settings& settings) {
-  const std::uint32_t number =
-      pattern.noise_generator ? pattern.noise_generator : settings.noise_generator;
-  return number == 1   ? NoiseGenerator::kOriginal
-         : number == 3 ? NoiseGenerator::kPerlin
-                       : NoiseGenerator::kRangeCorrected;
-}
-
 Wave usual_wave(const PatternData& data) {
   const bool triangle = std::holds_alternative<Marble>(data) ||
                         std::holds_alternative<Wood>(data) || std::holds_alternative<Spiral>(data);
@@ -52,9 +44,17 @@ double shaped(double v, Wave wave, double exponent) {
 
 }  // namespace
 
+NoiseGenerator noise_generator_of(const Pattern& pattern, const Settings& settings) {
+  const std::uint32_t number =
+      pattern.noise_generator ? pattern.noise_generator : settings.noise_generator;
+  return number == 1   ? NoiseGenerator::kOriginal
+         : number == 3 ? NoiseGenerator::kPerlin
+                       : NoiseGenerator::kRangeCorrected;
+}
+
 PatternEvaluator::PatternEvaluator(const Pattern& pattern, const PatternServices& services)
     : warps_(pattern.warps, own_turbulence(pattern) != nullptr),
-      field_(make_field(pattern.data, generator_of(pattern, services.scene->settings),
+      field_(make_field(pattern.data, noise_generator_of(pattern, services.scene->settings),
                         octaves_of(own_turbulence(pattern)), services)),
       block_(is_block_pattern(pattern.data)),
       wave_(pattern.own_wave ? pattern.wave : usual_wave(pattern.data)),

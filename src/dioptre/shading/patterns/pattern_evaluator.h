@@ -9,6 +9,9 @@
 
 namespace dioptre {
 
+/// The noise that a pattern is made of: its own choice, or the scene's.
+NoiseGenerator noise_generator_of(const Pattern& pattern, const Settings& settings);
+
 /// A pattern of the scene made ready: warps, field, waves. Immutable.
 class PatternEvaluator {
  public:

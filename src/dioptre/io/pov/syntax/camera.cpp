@@ -8,6 +8,9 @@
 namespace dioptre::pov {
 namespace {
 
+/// Where a camera without look_at looks.
+constexpr Vec3 kDefaultTarget{0, 0, 1};
+
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// Reads the contents of one camera. Angle and look_at act on the vectors as they are at the end.
@@ -83,12 +86,15 @@ class CameraParser {
       case Keyword::kDirection:
         return vector(camera_.direction);
       case Keyword::kRight:
+        has_size_ = true;
         return vector(camera_.right);
       case Keyword::kUp:
+        has_size_ = true;
         return vector(camera_.up);
       case Keyword::kSky:
         return vector(camera_.sky);
       case Keyword::kLookAt:
+        look_at_place_ = parser_.position();
         return vector(look_at_.emplace());
       case Keyword::kAngle:
         return parse_angle();
@@ -152,6 +158,7 @@ class CameraParser {
 
   void finish() {
     if (has_angle_) apply_angle();
+    if (camera_.kind == Kind::kOrthographic) fit_orthographic();
     if (look_at_) apply_look_at(*look_at_);
     if (focal_point_) apply_focus(*focal_point_);
     has_angle_ = false;
@@ -173,11 +180,24 @@ class CameraParser {
     camera_.direction *= wanted / size;
   }
 
+  /// The image of an orthographic camera is as wide as the view of a perspective one is at the
+  /// place looked at, unless its size is given by right or up and not by an angle.
+  void fit_orthographic() {
+    if (fitted_ || (has_size_ && !has_angle_)) return;
+    fitted_ = true;
+    const double size = length(camera_.direction);
+    const double distance = length(look_at_.value_or(kDefaultTarget) - camera_.location);
+    if (size == 0 || distance == 0) return;
+    camera_.right *= distance / size;
+    camera_.up *= distance / size;
+  }
+
   void apply_look_at(Vec3 target) {
     const Vec3 towards = target - camera_.location;
     const double distance = length(towards);
     if (distance == 0) {
-      parser_.fail("the camera looks at its own location", "move location or look_at");
+      parser_.fail_at(look_at_place_, "the camera looks at its own location",
+                      "move location or look_at");
     }
     const bool mirrored = dot(cross(camera_.up, camera_.direction), camera_.right) < 0;
     const double right_length = length(camera_.right);
@@ -214,7 +234,9 @@ class CameraParser {
   Camera& camera_;
   std::optional<Vec3> look_at_, focal_point_;
   bool has_angle_ = false;
-  SourcePosition angle_at_;
+  bool has_size_ = false;  ///< right or up was written
+  bool fitted_ = false;
+  SourcePosition angle_at_, look_at_place_;
 };
 
 }  // namespace

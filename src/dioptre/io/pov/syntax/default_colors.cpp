@@ -35,7 +35,7 @@ struct DefaultColors {
   }
   Entries operator()(const Fractal& fractal) const {
     if (fractal.julia || fractal.magnet) return grays();
-    return {entry(0.001, 0, 0, 0), entry(0.001, 1, 0, 0), entry(0.012, 1, 1, 0),
+    return {entry(0.001, 0, 0, 0), entry(0.001, 0, 1, 1), entry(0.012, 1, 1, 0),
             entry(0.015, 1, 0, 1), entry(0.1, 0, 1, 1)};
   }
   Entries operator()(const Brick&) const {

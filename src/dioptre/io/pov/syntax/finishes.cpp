@@ -123,23 +123,22 @@ class FinishParser {
     return true;
   }
 
+  bool at_color() { return parser_.at_expression() || parser_.at_color(); }
+
   void parse_reflection() {
     if (!parser_.accept('{')) {
       finish_.reflection_max = finish_.reflection_min = parse_light_color(parser_);
       return;
     }
     const Parser::Nesting nesting(parser_);
-    finish_.reflection_min = {};
-    finish_.reflection_max = parse_light_color(parser_);
-    if (parser_.accept(',')) {
-      finish_.reflection_min = finish_.reflection_max;
-      finish_.reflection_max = parse_light_color(parser_);
-    } else {
-      finish_.reflection_min = finish_.reflection_max;
-    }
+    finish_.reflection_min = finish_.reflection_max = parse_light_color(parser_);
+    const bool both = parser_.accept(',') || at_color();
+    if (both) finish_.reflection_max = parse_light_color(parser_);
     while (!parser_.accept('}')) {
       if (!parse_reflection_item()) parser_.fail_expected("a property of the reflection or '}'");
     }
+    // A single value with fresnel is the upper end of a range that begins at 0.
+    if (!both && finish_.reflection_fresnel) finish_.reflection_min = {};
   }
 
   bool parse_reflection_item() {
@@ -155,10 +154,6 @@ class FinishParser {
         finish_.reflection_fresnel = parser_.parse_flag();
         return true;
       default:
-        if (parser_.at_color()) {
-          finish_.reflection_max = parse_light_color(parser_);
-          return true;
-        }
         return parser_.accept(',');
     }
   }

@@ -50,7 +50,7 @@ void transform_item(Parser& parser, Item& item, const Affine& by);
 /// Modifiers up to the closing brace, which is taken.
 void parse_object_modifiers(Parser& parser, Item& item);
 /// A described value for a declaration.
-Described to_described(Item item, Keyword keyword);
+Described to_described(Item item);
 /// Puts an item into the world.
 void add_root(Parser& parser, Item item);
 /// Puts an object into the scene as a part of others.

@@ -7,6 +7,7 @@ namespace dioptre::pov {
 namespace {
 
 constexpr std::int64_t kLargestSide = 1 << 14;
+constexpr std::int64_t kMostPixels = 1 << 24;
 constexpr std::size_t kRememberedImages = 64;
 
 /// The format's keyword; formats are known by their content.
@@ -35,6 +36,7 @@ Shared<ImageData> parse_function_image(Parser& parser) {
   const auto width = parse_whole(parser, 1, kLargestSide);
   parser.skip_comma();
   const auto height = parse_whole(parser, 1, kLargestSide);
+  if (width * height > kMostPixels) parser.fail("the image of the function is too large");
   const FunctionId function = parser.parse_function();
   ImageData data;
   data.width = static_cast<std::uint32_t>(width);

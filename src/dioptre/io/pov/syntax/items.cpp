@@ -42,6 +42,10 @@ bool parse_setting_item(Parser& parser) {
       parser.next();
       parse_global_settings(parser);
       return true;
+    case Keyword::kDefault:
+      parser.next();
+      parse_default(parser);
+      return true;
     case Keyword::kMedia:
       parse_media_item(parser);
       return true;
@@ -120,13 +124,18 @@ DescribedPtr parse_map_value(Parser& parser, Keyword keyword) {
   }
 }
 
+Affine take_transform(Parser& parser) {
+  const auto map = take<Affine>(parser);
+  if (!map) parser.fail_expected("the name of a transformation, or '{'");
+  return *map;
+}
+
 DescribedPtr parse_surroundings(Parser& parser, Keyword keyword) {
   switch (keyword) {
     case Keyword::kTransform:
       parser.next();
       if (parser.at('{')) return describe(parse_transform_block(parser));
-      if (const auto map = take<Affine>(parser)) return describe(*map);
-      parser.fail_expected("the name of a transformation, or '{'");
+      return describe(take_transform(parser));
     case Keyword::kCamera:
       parser.next();
       return describe(parse_camera(parser));
@@ -185,7 +194,7 @@ DescribedPtr parse_described(Parser& parser) {
   if (DescribedPtr map = parse_map_value(parser, keyword)) return map;
   if (DescribedPtr thing = parse_surroundings(parser, keyword)) return thing;
   if (std::optional<Item> item = parse_item(parser)) {
-    return describe(to_described(std::move(*item), keyword));
+    return describe(to_described(std::move(*item)));
   }
   return nullptr;
 }

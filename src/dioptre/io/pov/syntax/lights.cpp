@@ -194,7 +194,7 @@ Item parse_light(Parser& parser) {
 
 Item parse_light_group(Parser& parser) {
   const Parser::Nesting nesting(parser);
-  parser.not_rendered("light_group (its lights shine on everything)");
+  parser.not_rendered("light_group");
   parser.expect('{', "after light_group");
   Item item;
   item.drawn = false;

@@ -105,8 +105,9 @@ class MeshParser {
   }
 
   TextureId take_texture() {
-    if (const auto texture = take<TextureId>(parser_)) return *texture;
-    parser_.fail_expected("a texture");
+    const auto texture = take<TextureId>(parser_);
+    if (!texture) parser_.fail_expected("a texture");
+    return *texture;
   }
 
   void parse_uvs(Face& face) {
@@ -201,9 +202,11 @@ class Mesh2Parser {
   }
 
   std::uint32_t index_below(double value, std::size_t size, std::string_view what) {
-    if (value >= 0 && value < static_cast<double>(size)) return static_cast<std::uint32_t>(value);
-    parser_.fail("an index into the " + std::string(what) + " is out of range: there are " +
-                 std::to_string(size));
+    if (!(value >= 0 && value < static_cast<double>(size))) {
+      parser_.fail("an index into the " + std::string(what) + " is out of range: there are " +
+                   std::to_string(size));
+    }
+    return static_cast<std::uint32_t>(value);
   }
 
   std::array<std::uint32_t, 3> parse_indices(std::size_t size, std::string_view what) {
@@ -212,18 +215,28 @@ class Mesh2Parser {
             index_below(v.z, size, what)};
   }
 
+  std::array<std::uint32_t, 3> corners_of(Vec3 v) {
+    const std::size_t size = data_.corners.size();
+    return {index_below(v.x, size, "vertex_vectors"), index_below(v.y, size, "vertex_vectors"),
+            index_below(v.z, size, "vertex_vectors")};
+  }
+
+  /// A face and the numbers of its textures. What is no number is the next face.
   void parse_face() {
     Face face;
-    face.corners = parse_indices(data_.corners.size(), "vertex_vectors");
+    face.corners = corners_of(next_face_ ? *next_face_ : parser_.parse_vec3());
+    next_face_.reset();
     std::uint32_t given = 0;
     std::uint32_t textures[3] = {};
-    while (given < 3) {
-      // A comma and an expression that is a number belong to this face, a vector to the next one.
-      if (!parser_.at(',') && !parser_.at_expression()) break;
+    while (given < 3 && !object_.part_textures.empty()) {
       parser_.skip_comma();
-      if (parser_.at('<') || parser_.at('}') || !parser_.at_expression()) break;
-      textures[given++] =
-          index_below(parser_.parse_float(), object_.part_textures.size(), "texture_list");
+      if (parser_.at('<') || !parser_.at_expression()) break;
+      const Numeric n = parser_.parse_numeric();
+      if (n.size > 1) {
+        next_face_ = {n.v[0], n.v[1], n.v[2]};
+        break;
+      }
+      textures[given++] = index_below(n.v[0], object_.part_textures.size(), "texture_list");
     }
     for (std::uint32_t i = 0; i < 3 && given > 0; ++i) {
       face.textures[i] = textures[given == 3 ? i : 0];
@@ -256,6 +269,7 @@ class Mesh2Parser {
   Parser& parser_;
   Object& object_;
   MeshData data_;
+  std::optional<Vec3> next_face_;  ///< read already while looking for textures
   bool has_faces_ = false, has_normals_ = false, has_uvs_ = false;
 };
 

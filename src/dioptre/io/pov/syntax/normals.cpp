@@ -86,10 +86,8 @@ class NormalParser {
       open(at(parser_.scene().normals, *named));
       return true;
     }
-    if (parser_.accept(Keyword::kBumpSize)) {
-      common_.bump_size = parser_.parse_float();
-      common_.has_bump_size = true;
-    } else if (parser_.accept(Keyword::kNoBumpScale)) {
+    if (parse_size()) return true;
+    if (parser_.accept(Keyword::kNoBumpScale)) {
       common_.no_bump_scale = parser_.parse_flag();
     } else if (parser_.accept(Keyword::kAccuracy)) {
       common_.accuracy = parser_.parse_float();
@@ -98,6 +96,13 @@ class NormalParser {
     } else {
       return parse_map_block() || parse_kind() || parse_pattern_modifier(parser_, pattern_);
     }
+    return true;
+  }
+
+  bool parse_size() {
+    if (!parser_.accept(Keyword::kBumpSize)) return false;
+    common_.bump_size = parser_.parse_float();
+    common_.has_bump_size = true;
     return true;
   }
 
@@ -112,7 +117,7 @@ class NormalParser {
       kind_ = Kind::kAverage;
       normals_.clear();
     } else if (parser_.accept(Keyword::kBumpMap)) {
-      image_ = parse_image(parser_);
+      image_ = parse_image(parser_, [this] { return parse_size(); });
       kind_ = Kind::kImage;
       parse_amount();
     } else {

@@ -54,6 +54,12 @@ bool begins_object(Keyword keyword) {
   }
 }
 
+/// An object that is not drawn is declared as a union of nothing.
+bool is_nothing(const Object& object) {
+  const auto* csg = std::get_if<Csg>(&object.geometry);
+  return csg && csg->children.empty();
+}
+
 /// An item by its name, if that is next.
 std::optional<Item> take_item(Parser& parser) {
   const Described* described = parser.peek_described();
@@ -62,16 +68,13 @@ std::optional<Item> take_item(Parser& parser) {
   if (std::holds_alternative<Object>(*described)) {
     item.object = std::get<Object>(*parser.take_described());
     if (item.object.name.empty()) item.object.name = parser.last_name();
+    item.drawn = !is_nothing(item.object);
   } else if (std::holds_alternative<LightsValue>(*described)) {
     const DescribedPtr taken = parser.take_described();
     const LightsValue& value = std::get<LightsValue>(*taken);
     item.lights = value.lights;
     item.drawn = value.object.has_value();
     if (value.object) item.object = *value.object;
-  } else if (const auto* thing = std::get_if<UnrenderedValue>(described);
-             thing && begins_object(static_cast<Keyword>(thing->keyword))) {
-    parser.take_described();
-    item.drawn = false;
   } else {
     return std::nullopt;
   }
@@ -156,18 +159,19 @@ std::optional<Item> parse_item(Parser& parser) {
 }
 
 Item parse_object(Parser& parser) {
-  if (std::optional<Item> item = parse_item(parser)) return std::move(*item);
-  parser.fail_expected("an object");
+  std::optional<Item> item = parse_item(parser);
+  if (!item) parser.fail_expected("an object");
+  return std::move(*item);
 }
 
-Described to_described(Item item, Keyword keyword) {
+Described to_described(Item item) {
   if (!item.lights.empty()) {
     LightsValue value{std::move(item.lights), std::nullopt};
     if (item.drawn) value.object = std::move(item.object);
     return value;
   }
-  if (item.drawn) return std::move(item.object);
-  return UnrenderedValue{static_cast<std::uint16_t>(keyword)};
+  if (!item.drawn) item.object.geometry = Csg{};
+  return std::move(item.object);
 }
 
 void add_root(Parser& parser, Item item) {

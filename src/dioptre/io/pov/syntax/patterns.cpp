@@ -123,7 +123,6 @@ void parse_object_pattern(Parser& parser, Pattern& pattern) {
 void parse_density_file(Parser& parser, Pattern& pattern) {
   if (!parser.accept(Keyword::kDf3)) parser.fail_expected("df3");
   parser.find_file(parser.parse_file_name());
-  if (parser.accept(Keyword::kInterpolate)) parser.parse_float();
   parser.not_rendered("density_file");
   pattern.data = Bozo{};
 }
@@ -341,6 +340,8 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern) {
     pattern.phase = parser.parse_float();
   } else if (parser.accept(Keyword::kNoiseGenerator)) {
     pattern.noise_generator = static_cast<std::uint32_t>(parse_whole(parser, 1, 3));
+  } else if (parser.accept(Keyword::kInterpolate)) {
+    parser.parse_float();
   } else {
     return parse_warp_modifier(parser, pattern.warps);
   }

@@ -38,7 +38,8 @@ std::vector<Entry> parse_map(Parser& parser, ReadEntry read_entry) {
   std::vector<Entry> entries;
   if (const auto named = take<Value>(parser)) entries = named->entries;
   while (parser.accept('[')) {
-    const double position = parser.parse_float();
+    // An average may leave out the weight.
+    const double position = parser.at_expression() ? parser.parse_float() : 1;
     parser.skip_comma();
     read_entry(position, entries);
     parser.expect(']', "after the entry of the map");

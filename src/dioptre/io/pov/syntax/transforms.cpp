@@ -38,17 +38,22 @@ std::optional<Affine> parse_transform(Parser& parser) {
   if (parser.accept(Keyword::kMatrix)) return parse_matrix(parser);
   if (!parser.accept(Keyword::kTransform)) return std::nullopt;
   if (parser.at('{')) return parse_transform_block(parser);
-  if (const auto map = take<Affine>(parser)) return map;
-  parser.fail_expected("the name of a transformation, or '{'");
+  const auto map = take<Affine>(parser);
+  if (!map) parser.fail_expected("the name of a transformation, or '{'");
+  return map;
 }
 
 }  // namespace
 
 std::optional<Affine> parse_transforms(Parser& parser) {
+  const SourcePosition where = parser.position();
   std::optional<Affine> all;
   while (const std::optional<Affine> one = parse_transform(parser)) {
     all = all ? then(*all, *one) : *one;
     parser.skip_comma();
+  }
+  if (all && !is_finite(all->x + all->y + all->z + all->o)) {
+    parser.fail_at(where, "the transformation is not finite");
   }
   return all;
 }

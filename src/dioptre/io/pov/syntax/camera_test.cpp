@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Widths of orthographic images were measured with POV-Ray 3.7.
+#include "dioptre/io/pov/syntax/syntax_test_support.h"
+
+namespace dioptre::pov {
+namespace {
+
+Camera camera_of(const std::string& contents) {
+  return scene_of("camera { " + contents + " }").camera;
+}
+
+TEST(Camera, DefaultsAreThoseOfTheLanguage) { EXPECT_EQ(camera_of(""), Camera{}); }
+
+TEST(Camera, AngleSetsTheLengthOfDirection) {
+  const Camera camera = camera_of("right 4*x angle 90");
+  EXPECT_NEAR(length(camera.direction), 2, 1e-12);
+}
+
+TEST(Camera, LookAtKeepsLengthsAndHandedness) {
+  for (const char* right : {"right 2*x", "right -2*x"}) {
+    const Camera camera = camera_of(std::string(right) + " location <1, 2, 3> look_at <4, 0, 7>");
+    EXPECT_NEAR(length(camera.right), 2, 1e-12);
+    EXPECT_NEAR(length(camera.up), 1, 1e-12);
+    EXPECT_NEAR(length(camera.direction), 1, 1e-12);
+    const double side = dot(cross(camera.up, camera.direction), camera.right);
+    EXPECT_EQ(side > 0, std::string(right) == "right 2*x");
+    EXPECT_NEAR(length(cross(camera.direction, Vec3{3, -2, 4})), 0, 1e-12);
+  }
+}
+
+TEST(Camera, LookAtActsAfterEverythingElse) {
+  EXPECT_EQ(camera_of("location -5*z right 2*x angle 40 look_at x"),
+            camera_of("look_at x angle 40 right 2*x location -5*z"));
+}
+
+TEST(Camera, OrthographicWidthIsGivenOrThatOfThePerspectiveView) {
+  const auto width = [](const std::string& contents) {
+    return length(camera_of("orthographic " + contents).right);
+  };
+  EXPECT_NEAR(width("location -5*z right 4*x up 3*y look_at 0"), 4, 1e-12);
+  EXPECT_NEAR(width("location -5*z look_at 0"), 6.65, 1e-12);
+  EXPECT_NEAR(width("location -5*z direction 2*z look_at 0"), 3.325, 1e-12);
+  EXPECT_NEAR(width("location -10*z"), 14.63, 1e-12);
+  EXPECT_NEAR(width("location -5*z right 4*x up 3*y angle 60 look_at 0"), 5.7735, 1e-4);
+}
+
+TEST(Camera, FocusIsADistanceAlongTheDirection) {
+  EXPECT_NEAR(camera_of("location -5*z focal_point <1, 1, 2> aperture 1").focal_distance, 7, 1e-12);
+}
+
+TEST(Camera, ImpossibleOnesAreErrors) {
+  EXPECT_EQ(said("camera { location 0 look_at 0 }"),
+            "t.pov:2:21: error: the camera looks at its own location\n"
+            "   2 | camera { location 0 look_at 0 }\n"
+            "     |                     ^\n"
+            "     = note: move location or look_at\n");
+}
+
+}  // namespace
+}  // namespace dioptre::pov

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dioptre/io/pov/syntax/syntax_test_support.h"
+
+namespace dioptre::pov {
+namespace {
+
+TEST(Shapes, ParametersAreAsWritten) {
+  EXPECT_EQ(shape_of<Sphere>("sphere { <1, 2, 3>, 4 }"), (Sphere{{1, 2, 3}, 4}));
+  EXPECT_EQ(shape_of<Box>("box { -1 <1, 2, 3> }"), (Box{{-1, -1, -1}, {1, 2, 3}}));
+  EXPECT_EQ(shape_of<Cylinder>("cylinder { 0, y, 2 open }"), (Cylinder{{}, {0, 1, 0}, 2, true}));
+  EXPECT_EQ(shape_of<Cone>("cone { 0, 1, 2*y, 0.5 }"), (Cone{{}, 1, {0, 2, 0}, 0.5, false}));
+  EXPECT_EQ(shape_of<Plane>("plane { z, -3 }"), (Plane{{0, 0, 1}, -3}));
+  EXPECT_EQ(shape_of<Torus>("torus { 3, 1 sturm }"), (Torus{3, 1}));
+  EXPECT_EQ(shape_of<Disc>("disc { 0, y, 2, 1 }"), (Disc{{}, {0, 1, 0}, 2, 1}));
+  EXPECT_EQ(shape_of<Quadric>("quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 }"),
+            (Quadric{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, 10}));
+}
+
+TEST(Shapes, CommasMayBeLeftOut) {
+  EXPECT_EQ(root_of("sphere { <1, 2, 3> 4 }"), root_of("sphere { <1, 2, 3>, 4 }"));
+  EXPECT_EQ(root_of("cone { 0 1 y 0 }"), root_of("cone { 0, 1, y, 0 }"));
+}
+
+TEST(Shapes, APolynomialHasAsManyCoefficientsAsItsOrderSays) {
+  EXPECT_EQ(shape_of<Poly>("cubic { <1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20> }")
+                .coefficients.size(),
+            20u);
+  EXPECT_EQ(shape_of<Poly>("poly { 2, <1,2,3,4,5,6,7,8,9,10> sturm }").sturm, true);
+}
+
+TEST(Shapes, APrismIsCutWhereAnOutlineCloses) {
+  const Prism prism = shape_of<Prism>(
+      "prism { linear_spline 0, 1, 8, <0,0> <4,0> <0,4> <0,0> <1,1> <2,1> <1,2> <1,1> }");
+  ASSERT_EQ(prism.outlines.size(), 2u);
+  EXPECT_EQ(prism.outlines[0].size(), 4u);
+  EXPECT_EQ(prism.outlines[1].front(), (Vec2{1, 1}));
+}
+
+TEST(Shapes, AMesh2SharesItsCorners) {
+  const Mesh mesh = shape_of<Mesh>(
+      "mesh2 { vertex_vectors { 4, 0, x, y, x+y } face_indices { 2, <0,1,2>, <1,2,3> } }");
+  EXPECT_EQ(mesh.data->corners.size(), 4u);
+  EXPECT_EQ(mesh.data->faces.size(), 2u);
+}
+
+TEST(Modifiers, TransformationsActInOrder) {
+  const Affine map = root_of("sphere { 0, 1 scale 2 translate x rotate 90*z }").transform;
+  EXPECT_EQ(map, then(then(scaling({2, 2, 2}), translation({1, 0, 0})), rotation({0, 0, 90})));
+}
+
+TEST(Modifiers, OnlyTexturesGivenBeforeAMoveAreMoved) {
+  const std::string red = "pigment { rgb x }";
+  const Affine move = translation({5, 0, 0});
+  EXPECT_EQ(root_of("sphere { 0, 1 " + red + " translate 5*x }").texture_transform, move);
+  EXPECT_EQ(root_of("sphere { 0, 1 translate 5*x " + red + " }").texture_transform, Affine{});
+}
+
+TEST(Modifiers, ClipsMoveWithTheirObject) {
+  const Scene scene = scene_of("sphere { 0, 1 clipped_by { plane { x, 0 } } translate 5*x }");
+  const Object& object = at(scene.objects, scene.roots.at(0));
+  ASSERT_EQ(object.clipped_by.size(), 1u);
+  EXPECT_EQ(at(scene.objects, object.clipped_by[0]).transform, translation({5, 0, 0}));
+}
+
+TEST(Modifiers, InverseTwiceIsNothing) {
+  EXPECT_TRUE(root_of("sphere { 0, 1 inverse }").inverse);
+  EXPECT_FALSE(root_of("sphere { 0, 1 inverse inverse }").inverse);
+}
+
+TEST(Declarations, AUseMayBeChangedWithoutTheDeclaration) {
+  const Scene scene = scene_of(
+      "#declare Ball = sphere { 0, 1 }\n object { Ball translate x no_shadow } object { Ball }");
+  ASSERT_EQ(scene.roots.size(), 2u);
+  const Object& first = at(scene.objects, scene.roots[0]);
+  const Object& second = at(scene.objects, scene.roots[1]);
+  EXPECT_TRUE(first.no_shadow);
+  EXPECT_FALSE(second.no_shadow);
+  EXPECT_EQ(second.transform, Affine{});
+  EXPECT_EQ(first.name, "Ball");
+}
+
+TEST(Declarations, UsesOfOneTextureShareIt) {
+  const Scene scene = scene_of(
+      "#declare T = texture { pigment { rgb x } }\n"
+      "#for (I, 1, 100) sphere { I*x, 1 texture { T } } #end");
+  EXPECT_EQ(scene.roots.size(), 100u);
+  EXPECT_LE(scene.textures.size(), 2u);
+}
+
+TEST(Csg, ChildrenComeBeforeTheirWholes) {
+  const Scene scene =
+      scene_of("difference { box { -1, 1 } union { sphere { 0, 1 } torus {1, .1} } }");
+  const Object& whole = at(scene.objects, scene.roots.at(0));
+  const Csg& csg = std::get<Csg>(whole.geometry);
+  EXPECT_EQ(csg.operation, CsgOperation::kDifference);
+  ASSERT_EQ(csg.children.size(), 2u);
+  for (const ObjectId child : csg.children) EXPECT_LT(child.index, scene.roots[0].index);
+}
+
+TEST(Csg, LightsOfAUnionShineInTheWorldWhereItIsPut) {
+  const Scene scene = scene_of(
+      "#declare Lamp = union { sphere { 0, 1 } light_source { 2*y, rgb 1 } translate x }\n"
+      "object { Lamp translate 10*x }");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].location, (Vec3{11, 2, 0}));
+  EXPECT_EQ(scene.roots.size(), 1u);
+}
+
+TEST(Csg, ShapesThatAreNotRenderedAreLeftOutWithANotice) {
+  const std::string program = "union { sphere { 0, 1 } superellipsoid { <.2, .3> } }";
+  EXPECT_EQ(std::get<Csg>(root_of(program).geometry).children.size(), 1u);
+  EXPECT_NE(said(program).find("superellipsoid is not rendered yet: ignored"), std::string::npos);
+}
+
+TEST(Lights, LooksLikeStandsAtTheLightAndCastsNoShadow) {
+  const Scene scene =
+      scene_of("light_source { y, rgb 1 looks_like { sphere { 0, 1 } } translate x }");
+  ASSERT_EQ(scene.roots.size(), 1u);
+  const Object& bulb = at(scene.objects, scene.roots[0]);
+  EXPECT_TRUE(bulb.no_shadow);
+  EXPECT_EQ(bulb.transform.point({}), scene.lights.at(0).location);
+}
+
+}  // namespace
+}  // namespace dioptre::pov
