@@ -72,7 +72,10 @@ void add(std::vector<std::string>& folders, const std::string& folder) {
 FileAccess::FileAccess(Options options) : options_(std::move(options)), current_(resolved(".")) {
   add(search_, options_.scene_folder);
   add(search_, ".");
-  for (const std::string& path : options_.library_paths) add(search_, path);
+  for (const std::string& path : options_.library_paths) {
+    add(search_, path);
+    add(library_, path);
+  }
   writable_ = {resolved(options_.scene_folder.empty() ? "." : options_.scene_folder), current_};
   for (const std::string& path : options_.writable_paths) add(writable_, path);
   readable_ = search_;
@@ -81,7 +84,13 @@ FileAccess::FileAccess(Options options) : options_(std::move(options)), current_
   if (!options_.scene_file.empty()) scene_file_ = resolved(options_.scene_file);
 }
 
-bool FileAccess::may_read(const std::string& path) const { return is_below_any(path, readable_); }
+/// A library is the user's own installation: a link in it may lead out (Debian's fonts do), as long
+/// as the name itself does not.
+bool FileAccess::may_read(const fs::path& path) const {
+  if (is_below_any(resolved(path), readable_)) return true;
+  const fs::path folder = resolved(path.parent_path());
+  return is_below_any((folder / path.filename()).string(), library_);
+}
 
 Result<FileAccess::Found> FileAccess::find(const std::string& name) const {
   if (name.empty()) return fail("a file name is empty");
@@ -95,11 +104,10 @@ Result<FileAccess::Found> FileAccess::find(const std::string& name) const {
       const fs::path path =
           other_case ? find_other_case(folder, wanted) : fs::path(folder) / wanted;
       if (path.empty() || !is_file(path)) continue;
-      const std::string real = resolved(path);
-      if (!may_read(real)) {
+      if (!may_read(path)) {
         return fail("'" + name + "' may not be read: it is outside the folders of this scene");
       }
-      return Found{real, other_case};
+      return Found{resolved(path), other_case};
     }
   }
   std::string places;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,11 @@ class FileAccess {
   Result<std::string> writable(const std::string& name) const;
 
  private:
-  bool may_read(const std::string& path) const;
+  bool may_read(const std::filesystem::path& path) const;
 
   Options options_;
   std::string current_;
-  std::vector<std::string> search_, readable_, writable_;
+  std::vector<std::string> search_, library_, readable_, writable_;
   std::string scene_file_;
 };
 

@@ -55,6 +55,13 @@ TEST_F(FileAccessTest, LeadsOutOfTheFoldersOnlyWhereThatIsAllowed) {
   }
 }
 
+TEST_F(FileAccessTest, FollowsTheLinksOfALibraryButNotNamesThatLeaveIt) {
+  std::filesystem::create_symlink(root_ / "secret/d.inc", root_ / "library/font.ttf");
+  const FileAccess access(options_);
+  EXPECT_TRUE(access.find("font.ttf"));
+  EXPECT_FALSE(access.find((root_ / "library/../secret/d.inc").string()));
+}
+
 TEST_F(FileAccessTest, WritesBelowTheSceneButNeverAScene) {
   const FileAccess access(options_);
   EXPECT_TRUE(access.writable(root_ / "scene/sub/new.txt"));

@@ -10,6 +10,7 @@ namespace dioptre::internal_functions {
 namespace {
 
 constexpr int kMaxOctaves = 64;
+constexpr int kMaxPower = 64;
 
 double square(double v) { return v * v; }
 
@@ -71,6 +72,23 @@ double ellipsoid(const double* a) {
   return std::sqrt(square(a[0] * a[3]) + square(a[1] * a[4]) + square(a[2] * a[5]));
 }
 
+double hetero_mf(const double* a) {
+  // F. K. Musgrave's heterogeneous multifractal; octaves are scaled by whole powers of the sum;
+  // the last of a broken number of octaves counts in part.
+  const NoiseGenerator generator = generator_of(a[8]);
+  const double count = std::min<double>(a[5], kMaxOctaves);
+  const int power = a[7] > 1 ? static_cast<int>(std::min<double>(a[7], kMaxPower)) : a[7] == 1;
+  double value = signed_noise(a, 1, generator) + a[6];
+  double frequency = 1;
+  for (int i = 1; i < count; ++i) {
+    frequency *= a[4];
+    const double weight = std::pow(frequency, -a[3]) * std::pow(value, power);
+    const double share = std::min(1.0, count - i);
+    value += share * (signed_noise(a, frequency, generator) + a[6]) * weight;
+  }
+  return value;
+}
+
 double ridged_mf(const double* a) {
   // F. K. Musgrave's ridged multifractal.
   const NoiseGenerator generator = generator_of(a[8]);
@@ -78,12 +96,10 @@ double ridged_mf(const double* a) {
   double signal = square(a[6] - std::abs(signed_noise(a, 1, generator)));
   double value = signal, frequency = 1;
   for (int i = 1; i < octaves; ++i) {
-    const double weight = std::clamp(signal * a[7], 0.0, 1.0);
-    // An octave is weighted by the frequency before its own.
-    const double spectral = std::pow(frequency, -a[3]);
     frequency *= a[4];
+    const double weight = std::clamp(signal * a[7], 0.0, 1.0);
     signal = weight * square(a[6] - std::abs(signed_noise(a, frequency, generator)));
-    value += signal * spectral;
+    value += signal * std::pow(frequency, -a[3]);
   }
   return value;
 }

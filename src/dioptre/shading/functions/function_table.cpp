@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "dioptre/core/expression_eval.h"
+#include "dioptre/shading/functions/internal_function_table.h"
 
 namespace dioptre {
 namespace {
@@ -45,7 +46,7 @@ void FunctionTable::compile(const Scene& scene, const PigmentTable& pigments,
     if (const auto* expression = std::get_if<ExpressionFunction>(&function.body)) {
       functions_.emplace_back(expression->body);
     } else if (const auto* internal = std::get_if<InternalFunction>(&function.body)) {
-      functions_.emplace_back(internal_function(internal->number));
+      functions_.emplace_back(*internal);
     } else if (const auto* pattern = std::get_if<PatternFunction>(&function.body)) {
       functions_.emplace_back(std::make_unique<PatternEvaluator>(pattern->pattern, services));
     } else if (const auto* pigment = std::get_if<PigmentFunction>(&function.body)) {
@@ -60,8 +61,8 @@ double FunctionTable::call(FunctionId id, std::span<const double> arguments) con
   if (id.index >= functions_.size()) return 0;
   const Body& body = functions_[id.index];
   if (const auto* expression = std::get_if<Expression>(&body)) return value(*expression, arguments);
-  if (const auto* internal = std::get_if<InternalFunctionBody>(&body)) {
-    return call_internal(*internal, arguments);
+  if (const auto* internal = std::get_if<InternalFunction>(&body)) {
+    return internal_function(internal->number, arguments);
   }
   if (const auto* pattern = std::get_if<std::unique_ptr<PatternEvaluator>>(&body)) {
     return (*pattern)->value(point(arguments), {});

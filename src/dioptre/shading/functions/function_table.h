@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "dioptre/scene/function.h"
-#include "dioptre/shading/functions/internal_functions.h"
 #include "dioptre/shading/functions/spline_function.h"
 #include "dioptre/shading/patterns/pattern_evaluator.h"
 #include "dioptre/shading/pigments/pigment_evaluator.h"
@@ -29,7 +28,7 @@ class FunctionTable {
     PigmentId pigment;
     std::uint32_t component;
   };
-  using Body = std::variant<Expression, InternalFunctionBody, std::unique_ptr<PatternEvaluator>,
+  using Body = std::variant<Expression, InternalFunction, std::unique_ptr<PatternEvaluator>,
                             PigmentPart, SplineEvaluator>;
   double value(const Expression& body, std::span<const double> arguments) const;
   double value(const PigmentPart& part, std::span<const double> arguments) const;

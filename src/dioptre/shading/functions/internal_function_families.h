@@ -59,6 +59,7 @@ double blob(const double* a);
 double blob2(const double* a);
 double cross_ellipsoids(const double* a);
 double ellipsoid(const double* a);
+double hetero_mf(const double* a);
 double isect_ellipsoids(const double* a);
 double polar_angle(const double* a);
 double poly4(const double* a);

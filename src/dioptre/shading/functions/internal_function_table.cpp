@@ -42,6 +42,7 @@ constexpr auto kEntries = std::to_array<Entry>({
     {21, "f_folium_surface_2d", 9, family::folium_surface_2d},
     {22, "f_glob", 4, family::glob},
     {23, "f_heart", 4, family::heart},
+    {29, "f_hetero_mf", 9, family::hetero_mf},
     {30, "f_hunt_surface", 4, family::hunt_surface},
     {31, "f_hyperbolic_torus", 6, family::hyperbolic_torus},
     {32, "f_isect_ellipsoids", 7, family::isect_ellipsoids},

@@ -2,6 +2,7 @@
 #include "dioptre/shading/normals/normal_evaluator.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "dioptre/shading/maps/position_map.h"
 #include "dioptre/shading/normals/bumps.h"
@@ -33,8 +34,11 @@ struct Steepness {
 /// tetrahedron: about amount times 2/15 of the gradient.
 template <class Height>
 Vec3 slope(Vec3 p, const Steepness& steepness, Height height) {
-  constexpr Vec3 kCorners[4] = {
-      {0.9428, -0.3333, 0}, {0, 1, 0}, {-0.4714, -0.3333, 0.8165}, {-0.4714, -0.3333, -0.8165}};
+  constexpr double kHigh = 2 * std::numbers::sqrt2 / 3, kSide = 0.81649658092772603;  // sqrt(2/3)
+  constexpr Vec3 kCorners[4] = {{kHigh, -1.0 / 3, 0},
+                                {0, 1, 0},
+                                {-kHigh / 2, -1.0 / 3, kSide},
+                                {-kHigh / 2, -1.0 / 3, -kSide}};
   Vec3 sum;
   for (const Vec3& corner : kCorners) sum += height(p + steepness.accuracy * corner) * corner;
   return steepness.amount * (0.1 / steepness.accuracy) * sum;

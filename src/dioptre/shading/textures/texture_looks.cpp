@@ -74,9 +74,13 @@ struct Share {
   float weight;
 };
 
+/// Textures of textures of textures may not make more stacks than this.
+constexpr std::size_t kMostStacks = 256;
+
 void evaluate_share(const TextureTable& table, const Share& share, const Lookup& at, Vec3 normal,
                     float weight, TextureSample& out) {
-  if (share.weight != 0) table.evaluate(share.texture, at, normal, share.weight * weight, out);
+  if (share.weight == 0 || out.stacks.size() >= kMostStacks) return;
+  table.evaluate(share.texture, at, normal, share.weight * weight, out);
 }
 
 /// Its textures live in the space inside the pattern's warps.

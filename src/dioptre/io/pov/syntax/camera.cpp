@@ -207,8 +207,9 @@ class CameraParser {
     Vec3 right = cross(camera_.sky, forward);
     if (length(right) == 0) {
       parser_.warn("the camera looks along its sky vector");
-      right = std::fabs(forward.x) < 0.9 ? cross(Vec3{1, 0, 0}, forward)
-                                         : cross(Vec3{0, 0, 1}, forward);
+      right = camera_.right - dot(camera_.right, forward) * forward;
+      if (length(right) == 0) right = cross(Vec3{forward.y, forward.z, forward.x}, forward);
+      if (length(right) == 0) right = cross(Vec3{1, 0, 0}, forward);
     }
     right = normalize(right);
     const Vec3 up = cross(forward, right);

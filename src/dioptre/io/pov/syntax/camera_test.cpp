@@ -44,6 +44,13 @@ TEST(Camera, OrthographicWidthIsGivenOrThatOfThePerspectiveView) {
   EXPECT_NEAR(width("location -5*z right 4*x up 3*y angle 60 look_at 0"), 5.7735, 1e-4);
 }
 
+TEST(Camera, ThatLooksAlongTheSkyKeepsItsRight) {
+  const Camera down = camera_of("location 10*y look_at 0");
+  EXPECT_EQ(down.right, (Vec3{1.33, 0, 0}));
+  EXPECT_EQ(down.up, (Vec3{0, 0, 1}));
+  EXPECT_EQ(camera_of("location -10*y look_at 0").up, (Vec3{0, 0, -1}));
+}
+
 TEST(Camera, FocusIsADistanceAlongTheDirection) {
   EXPECT_NEAR(camera_of("location -5*z focal_point <1, 1, 2> aperture 1").focal_distance, 7, 1e-12);
 }

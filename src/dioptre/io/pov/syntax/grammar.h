@@ -21,6 +21,15 @@ std::optional<T> take(Parser& parser) {
   if (!described || !std::holds_alternative<T>(*described)) return std::nullopt;
   return std::get<T>(*parser.take_described());
 }
+/// Appends a value unless it is the last one already: what a loop writes again and again is kept
+/// once.
+template <class T>
+Id<T> append_once(std::vector<T>& values, T value) {
+  if (!values.empty() && values.back() == value) {
+    return {static_cast<std::uint32_t>(values.size() - 1)};
+  }
+  return append(values, std::move(value));
+}
 /// The next number as a whole one, cut to [low, high]; not a number counts as low.
 std::int64_t parse_whole(Parser& parser, std::int64_t low, std::int64_t high);
 /// A float without transparency.

@@ -15,7 +15,6 @@ bool parse_interior_item(Parser& parser, Interior& interior) {
     case Keyword::kDispersion:
       parser.next();
       interior.dispersion = parser.parse_float();
-      if (interior.dispersion != 1) parser.not_rendered("dispersion");
       return true;
     case Keyword::kDispersionSamples:
       parser.next();
@@ -71,7 +70,7 @@ InteriorId parse_interior(Parser& parser, InteriorId base) {
       parser.fail_expected("a property of the interior or '}'");
     }
   }
-  return append(parser.scene().interiors, interior);
+  return append_once(parser.scene().interiors, interior);
 }
 
 MaterialValue parse_material(Parser& parser, MaterialValue base) {

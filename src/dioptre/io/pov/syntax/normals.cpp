@@ -188,7 +188,7 @@ NormalId parse_contents(Parser& parser, NormalId base, char close) {
   }
   NormalParser contents(parser, begin);
   contents.parse(close);
-  return append(parser.scene().normals, contents.take());
+  return append_once(parser.scene().normals, contents.take());
 }
 
 }  // namespace
@@ -219,7 +219,7 @@ NormalId transformed(Parser& parser, NormalId id, const Affine& by) {
   } else {
     return id;
   }
-  return append(parser.scene().normals, std::move(normal));
+  return append_once(parser.scene().normals, std::move(normal));
 }
 
 }  // namespace dioptre::pov

@@ -87,6 +87,12 @@ TEST(Declarations, UsesOfOneTextureShareIt) {
   EXPECT_LE(scene.textures.size(), 2u);
 }
 
+TEST(Declarations, WhatALoopWritesAgainIsKeptOnce) {
+  const Scene scene = scene_of("#for (I, 1, 100) sphere { I*x, 1 pigment { rgb x } } #end");
+  EXPECT_LE(scene.textures.size(), 2u);
+  EXPECT_LE(scene.pigments.size(), 2u);
+}
+
 TEST(Csg, ChildrenComeBeforeTheirWholes) {
   const Scene scene =
       scene_of("difference { box { -1, 1 } union { sphere { 0, 1 } torus {1, .1} } }");

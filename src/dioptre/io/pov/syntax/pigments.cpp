@@ -174,7 +174,7 @@ class PigmentParser {
   /// Colours, or pigments, of the parts; those left out have the pattern's usual colours.
   void parse_list(std::size_t parts) {
     colors_ = default_colors(pattern_);
-    if (at_block(Keyword::kPigment)) {
+    if (parser_.at(Keyword::kPigment)) {
       kind_ = Kind::kPigments;
       pigments_.clear();
       while (pigments_.size() < parts && parser_.accept(Keyword::kPigment)) {
@@ -189,8 +189,6 @@ class PigmentParser {
       parser_.skip_comma();
     }
   }
-
-  bool at_block(Keyword keyword) { return parser_.at(keyword); }
 
   void fill_pigments(std::size_t parts) {
     for (std::size_t i = pigments_.size(); i < parts; ++i) {
@@ -250,7 +248,7 @@ PigmentId parse_contents(Parser& parser, PigmentId base, char close) {
   const Pigment begin = base ? at(parser.scene().pigments, base) : Pigment{};
   PigmentParser contents(parser, begin);
   contents.parse(close);
-  return append(parser.scene().pigments, contents.take());
+  return append_once(parser.scene().pigments, contents.take());
 }
 
 }  // namespace
@@ -287,7 +285,7 @@ PigmentId transformed(Parser& parser, PigmentId id, const Affine& by) {
   } else if (auto* image = std::get_if<ImagePigment>(&pigment.data)) {
     add_transform(image->warps, by);
   }
-  return append(parser.scene().pigments, std::move(pigment));
+  return append_once(parser.scene().pigments, std::move(pigment));
 }
 
 }  // namespace dioptre::pov

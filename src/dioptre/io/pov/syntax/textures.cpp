@@ -219,7 +219,7 @@ TextureId parse_contents(Parser& parser, char close) {
     base = default_texture(parser);
   }
   Texture begin = at(parser.scene().textures, base);
-  return append(parser.scene().textures, TextureParser(parser, std::move(begin)).parse(close));
+  return append_once(parser.scene().textures, TextureParser(parser, std::move(begin)).parse(close));
 }
 
 }  // namespace
@@ -265,13 +265,13 @@ TextureId change_texture(Parser& parser, Keyword keyword, TextureId id) {
   }
   if (layers->layers.empty()) layers->layers.emplace_back();
   change_layer(parser, keyword, layers->layers.back());
-  return append(parser.scene().textures, std::move(texture));
+  return append_once(parser.scene().textures, std::move(texture));
 }
 
 TextureId transformed(Parser& parser, TextureId id, const Affine& by) {
   Texture texture = at(parser.scene().textures, id);
   texture.transform = then(texture.transform, by);
-  return append(parser.scene().textures, std::move(texture));
+  return append_once(parser.scene().textures, std::move(texture));
 }
 
 TextureId layered(Parser& parser, TextureId below, TextureId above) {
@@ -286,7 +286,7 @@ TextureId layered(Parser& parser, TextureId below, TextureId above) {
                 "write the layers into the entries of its map");
   }
   layers->layers.insert(layers->layers.end(), added->layers.begin(), added->layers.end());
-  return append(parser.scene().textures, std::move(texture));
+  return append_once(parser.scene().textures, std::move(texture));
 }
 
 }  // namespace dioptre::pov
