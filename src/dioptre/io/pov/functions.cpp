@@ -42,8 +42,9 @@ FunctionId Interpreter::parse_function() {
   } else {
     fail_expected("a function: its name or { ... }");
   }
-  if (function->components.size() != 1) fail("expected a function whose value is a number");
-  return function->components[0];
+  if (function->components.size() == 1) return function->components[0];
+  if (function->gray) return function->gray;
+  fail("expected a function whose value is a number");
 }
 
 /// After and with the keyword `function`.

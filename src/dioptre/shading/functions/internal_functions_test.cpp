@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dioptre/shading/functions/internal_function_table.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +8,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "dioptre/shading/functions/internal_function_table.h"
 
 namespace dioptre {
 namespace {

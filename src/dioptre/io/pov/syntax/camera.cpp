@@ -63,8 +63,26 @@ class CameraParser {
         kind(Kind::kCylinder);
         camera_.cylinder_type = static_cast<std::uint32_t>(parse_whole(parser_, 1, 4));
         return true;
+      case Keyword::kMeshCamera:
+        parse_mesh_camera();
+        return true;
       default:
         return false;
+    }
+  }
+
+  /// mesh_camera { SAMPLES, DISTRIBUTION mesh {...} ... [smooth] }: pixels on the faces of meshes.
+  void parse_mesh_camera() {
+    parser_.not_rendered("mesh_camera");
+    parser_.next();
+    parser_.expect('{', "to begin the camera's meshes");
+    while (!parser_.accept('}')) {
+      parser_.skip_comma();
+      if (parser_.at_expression()) {
+        parser_.parse_float();
+      } else if (!parser_.accept(Keyword::kSmooth)) {
+        parse_object(parser_);
+      }
     }
   }
 
