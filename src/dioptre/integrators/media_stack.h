@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "dioptre/render/render_scene.h"
@@ -10,19 +12,37 @@ namespace dioptre {
 
 /// The solids that a ray is in, the last entered on top. Crossing the surface of a solid that is on
 /// the stack leaves it, whatever its sense: so overlapping parts of one glass act as air, as in the
-/// scene language. Beyond 32 solids the rest are not remembered.
+/// scene language. Beyond 31 solids the rest are not remembered.
 class MediaStack {
  public:
-  struct Entry {
-    InteriorId interior;
-    const Item* item = nullptr;
+  /// One solid: the number of its interior, or its own address if it has none.
+  class Entry {
+   public:
+    Entry() = default;  // left empty: stacks are made and copied for every ray
+    Entry(InteriorId interior, const Item* item)
+        : key_(interior ? kInterior | interior.index : reinterpret_cast<std::uintptr_t>(item)) {}
+    InteriorId interior() const {
+      return key_ & kInterior ? InteriorId{static_cast<std::uint32_t>(key_)} : InteriorId{};
+    }
     bool operator==(const Entry&) const = default;
+
+   private:
+    static constexpr std::uint64_t kInterior = std::uint64_t{1} << 63;
+    std::uint64_t key_;
   };
 
-  /// The entry for a surface: solids that share an interior are one.
-  static Entry entry(InteriorId interior, const Item* item) {
-    return interior ? Entry{interior, nullptr} : Entry{{}, item};
+  MediaStack() {}  // NOLINT: the entries stay uninitialised
+  MediaStack(const MediaStack& other) { *this = other; }
+  /// Copies what is on the stack only: rays copy their stack all the time, and it is mostly empty.
+  MediaStack& operator=(const MediaStack& other) {
+    size_ = other.size_;
+    hollow_ = other.hollow_;
+    std::copy_n(other.entries_.begin(), size_, entries_.begin());
+    return *this;
   }
+
+  /// The entry for a surface: solids that share an interior are one.
+  static Entry entry(InteriorId interior, const Item* item) { return {interior, item}; }
 
   bool contains(Entry e) const {
     for (std::uint32_t i = 0; i < size_; ++i) {
@@ -31,17 +51,16 @@ class MediaStack {
     return false;
   }
   void enter(Entry e, bool hollow) {
-    if (size_ == entries_.size()) return;
-    hollow_[size_] = hollow;
+    if (size_ == kMost) return;
+    hollow_ |= std::uint32_t{hollow} << size_;
     entries_[size_++] = e;
   }
   void leave(Entry e) {
     for (std::uint32_t i = size_; i-- > 0;) {
       if (entries_[i] != e) continue;
-      for (std::uint32_t j = i + 1; j < size_; ++j) {
-        entries_[j - 1] = entries_[j];
-        hollow_[j - 1] = hollow_[j];
-      }
+      std::copy(entries_.begin() + i + 1, entries_.begin() + size_, entries_.begin() + i);
+      const std::uint32_t below = (1u << i) - 1;
+      hollow_ = (hollow_ & below) | ((hollow_ >> 1) & ~below);
       --size_;
       return;
     }
@@ -49,24 +68,21 @@ class MediaStack {
   /// The innermost interior; none in the open.
   InteriorId top() const {
     for (std::uint32_t i = size_; i-- > 0;) {
-      if (entries_[i].interior) return entries_[i].interior;
+      if (const InteriorId interior = entries_[i].interior()) return interior;
     }
     return {};
   }
   /// True if every solid around lets the atmosphere in.
-  bool in_atmosphere() const {
-    for (std::uint32_t i = 0; i < size_; ++i) {
-      if (!hollow_[i]) return false;
-    }
-    return true;
-  }
+  bool in_atmosphere() const { return static_cast<std::uint32_t>(std::popcount(hollow_)) == size_; }
   const Entry* begin() const { return entries_.data(); }
   const Entry* end() const { return entries_.data() + size_; }
 
  private:
-  std::array<Entry, 32> entries_;
-  std::array<bool, 32> hollow_{};
+  static constexpr std::uint32_t kMost = 31;
+
   std::uint32_t size_ = 0;
+  std::uint32_t hollow_ = 0;  ///< one bit per entry
+  std::array<Entry, kMost> entries_;
 };
 
 }  // namespace dioptre

@@ -100,8 +100,8 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
       return {radiance, 1 - max_component(through)};
     }
     for (const MediaStack::Entry& medium : path.media) {
-      if (medium.interior) {
-        through *= attenuation(at(scene_.scene().interiors, medium.interior), distance);
+      if (const InteriorId interior = medium.interior()) {
+        through *= attenuation(at(scene_.scene().interiors, interior), distance);
       }
     }
     SurfaceInteraction at = scene_.interaction(path.ray, hit);

@@ -25,11 +25,8 @@ double brick_block(Vec3 p, const Brick& brick) {
   };
   if (in_mortar(p.y, size.y)) return 0;
   const double row = std::floor(p.y / size.y);
-  double x = p.x, z = p.z;
-  if (odd(row)) {
-    x += 0.5 * size.x;
-    z += 0.5 * size.z;
-  }
+  const double x = odd(row) ? p.x + 0.5 * size.x : p.x;
+  const double z = odd(row) ? p.z : p.z + 0.5 * size.z;
   return in_mortar(x, size.x) || in_mortar(z, size.z) ? 0 : 1;
 }
 

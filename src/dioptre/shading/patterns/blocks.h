@@ -8,8 +8,8 @@ namespace dioptre {
 
 /// Unit cubes in two kinds, by the parity of the sum of their corners.
 double checker_block(Vec3 p);
-/// 0 in the mortar, 1 in a brick. Mortar lies at the far end of each cell; every second row and
-/// layer is moved by half a brick.
+/// 0 in the mortar, 1 in a brick. Mortar lies at the far end of each cell; every odd row is moved
+/// by half a brick along x, every even one along z.
 double brick_block(Vec3 p, const Brick& brick);
 /// The number of the cube's face that the point sees from the origin: x, y, z, -x, -y, -z.
 double cubic_block(Vec3 p);

@@ -61,10 +61,11 @@ double crackle_value(Vec3 p, const Crackle& crackle, NoiseGenerator generator) {
   if (!(max_component(abs(p)) < 0x1p40)) p = {};
   const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v)); };
   const Neighbourhood& near = neighbourhood(cell(p.x), cell(p.y), cell(p.z));
+  const double aside = raw_distance({crackle.offset, 0, 0}, crackle.metric);
   double best[3] = {1e300, 1e300, 1e300};
   Vec3 nearest;
   for (const Vec3& point : near.points) {
-    const double distance = raw_distance(p - point, crackle.metric);
+    const double distance = raw_distance(p - point, crackle.metric) + aside;
     if (distance >= best[2]) continue;
     if (distance < best[0]) {
       best[2] = best[1], best[1] = best[0], best[0] = distance;
@@ -76,7 +77,7 @@ double crackle_value(Vec3 p, const Crackle& crackle, NoiseGenerator generator) {
     }
   }
   if (crackle.solid) return noise(nearest, generator);
-  double sum = crackle.offset;
+  double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (crackle.form[k] != 0) sum += crackle.form[k] * true_distance(best[k], crackle.metric);
   }

@@ -57,19 +57,23 @@ double wrinkles(Vec3 p, NoiseGenerator generator) {
   return sum;
 }
 
-double ripples(Vec3 p, std::uint32_t sources) {
+/// Circular waves around the sources, in phase: the mean of their heights.
+double ripples(Vec3 p, std::uint32_t sources, const FieldOptions& options) {
   double sum = 0;
   for (std::uint32_t i = 0; i < sources; ++i) {
-    sum += std::sin(kTurn * length(p - wave_source(i).position));
+    const double distance = length(p - wave_source(i).position);
+    sum += std::sin(kTurn * (distance * options.frequency + options.phase));
   }
   return 0.5 + 0.5 * sum / sources;
 }
 
-double waves(Vec3 p, std::uint32_t sources) {
+/// The same with a frequency for each source, lower ones being higher.
+double waves(Vec3 p, std::uint32_t sources, const FieldOptions& options) {
   double sum = 0;
   for (std::uint32_t i = 0; i < sources; ++i) {
     const WaveSource& source = wave_source(i);
-    sum += std::sin(kTurn * length(p - source.position) * source.frequency) / source.frequency;
+    const double distance = length(p - source.position) * source.frequency;
+    sum += std::sin(kTurn * (distance * options.frequency + options.phase)) / source.frequency;
   }
   return 0.5 + 0.2 * sum / sources;
 }
@@ -102,32 +106,32 @@ double slope_value(Vec3 p, const Viewpoint& viewpoint, const Slope& slope) {
 /// From the centre q = 0 of each unit cube: (2 / (3 sqrt 3)) (|q.x| + |q.y| + |q.z|) B(|q|), with B
 /// the cubic Bezier curve of the control values 0, control0, control1, 1 (measured).
 double quilted_value(Vec3 p, const Quilted& quilted) {
+  // The scene language keeps the controls in single precision.
+  const double control0 = static_cast<float>(quilted.control0);
+  const double control1 = static_cast<float>(quilted.control1);
   const auto off = [](double v) { return std::fabs(v - std::floor(v) - 0.5); };
   const Vec3 q{off(p.x), off(p.y), off(p.z)};
   const double t = length(q), rest = 1 - t;
-  const double curve =
-      3 * t * rest * rest * quilted.control0 + 3 * t * t * rest * quilted.control1 + t * t * t;
+  const double curve = 3 * t * rest * rest * control0 + 3 * t * t * rest * control1 + t * t * t;
   return 2 / (3 * std::numbers::sqrt3) * (q.x + q.y + q.z) * curve;
 }
 
 /// Makes the field of each kind of pattern.
 struct Maker {
-  NoiseGenerator generator;
-  const OwnTurbulence& turbulence;
+  const FieldOptions& options;
   const PatternServices& services;
   using Made = std::unique_ptr<const Field>;
 
   Made noisy() const {
-    return field([g = generator](Vec3 p) { return noise(p, g); });
+    return field([g = options.generator](Vec3 p) { return noise(p, g); });
   }
   std::uint32_t sources() const {
     return std::clamp(services.scene->settings.number_of_waves, 1u, kMaxWaveSources);
   }
 
   Made operator()(const Agate& agate) const {
-    const OwnTurbulence t = turbulence;
-    return field([g = generator, t, a = agate.turbulence](Vec3 p) {
-      const double phase = 1.3 * a * scalar_turbulence(p, t.octaves, g) + 1.1 * p.z;
+    return field([g = options.generator, o = options.octaves, a = agate.turbulence](Vec3 p) {
+      const double phase = 1.3 * a * scalar_turbulence(p, o, g) + 1.1 * p.z;
       return std::pow(0.5 * (1 + std::sin(kTurn * phase)), 0.77);
     });
   }
@@ -153,14 +157,14 @@ struct Maker {
   }
   Made operator()(const Checker&) const { return field(checker_block); }
   Made operator()(const Crackle& crackle) const {
-    return field([crackle, g = generator](Vec3 p) { return crackle_value(p, crackle, g); });
+    return field([crackle, g = options.generator](Vec3 p) { return crackle_value(p, crackle, g); });
   }
   Made operator()(const Cubic&) const { return field(cubic_block); }
   Made operator()(const Cylindrical&) const {
     return field([](Vec3 p) { return std::max(0.0, 1 - std::hypot(p.x, p.z)); });
   }
   Made operator()(const Dents&) const {
-    return field([g = generator](Vec3 p) {
+    return field([g = options.generator](Vec3 p) {
       const double n = noise(p, g);
       return n * n * n;
     });
@@ -184,7 +188,7 @@ struct Maker {
     });
   }
   Made operator()(const Granite&) const {
-    return field([g = generator](Vec3 p) { return granite(p, g); });
+    return field([g = options.generator](Vec3 p) { return granite(p, g); });
   }
   Made operator()(const Hexagon&) const { return field(hexagon_block); }
   Made operator()(const ImagePattern& pattern) const {
@@ -200,10 +204,9 @@ struct Maker {
     });
   }
   Made operator()(const Marble&) const {
-    const OwnTurbulence t = turbulence;
-    if (t.amount == Vec3{}) return field([](Vec3 p) { return p.x; });
-    return field([g = generator, t](Vec3 p) {
-      return p.x + t.amount.x * scalar_turbulence(p, t.octaves, g);
+    if (options.turbulence == Vec3{}) return field([](Vec3 p) { return p.x; });
+    return field([o = options](Vec3 p) {
+      return p.x + o.turbulence.x * scalar_turbulence(p, o.octaves, o.generator);
     });
   }
   Made operator()(const ObjectPattern& object) const {
@@ -232,7 +235,7 @@ struct Maker {
     });
   }
   Made operator()(const Ripples&) const {
-    return field([n = sources()](Vec3 p) { return ripples(p, n); });
+    return field([n = sources(), o = options](Vec3 p) { return ripples(p, n, o); });
   }
   Made operator()(const Slope& slope) const {
     return field([slope](Vec3 p, const Viewpoint& v) { return slope_value(p, v, slope); });
@@ -241,41 +244,43 @@ struct Maker {
     return field([](Vec3 p) { return std::max(0.0, 1 - length(p)); });
   }
   Made operator()(const Spiral& spiral) const {
-    const auto n = static_cast<double>(spiral.arms);
+    const auto winding = [n = static_cast<double>(spiral.arms), o = options](Vec3 p, double r) {
+      const double v = n * turns(p) + r + p.z;
+      if (o.turbulence == Vec3{}) return v;
+      return v + o.turbulence.x * scalar_turbulence(p, o.octaves, o.generator);
+    };
     if (!spiral.two_sided) {
-      return field([n](Vec3 p) { return n * turns(p) + std::hypot(p.x, p.y) + p.z; });
+      return field([winding](Vec3 p) { return winding(p, std::hypot(p.x, p.y)); });
     }
-    return field([n](Vec3 p) {
-      const double radius = std::hypot(p.x, p.y);
-      return triangle(radius) + triangle(n * turns(p) + radius + p.z);
+    return field([winding](Vec3 p) {
+      const double r = std::hypot(p.x, p.y);
+      return triangle(r) + triangle(winding(p, r));
     });
   }
   Made operator()(const Square&) const { return field(square_block); }
   Made operator()(const Tiling&) const { return field(square_block); }
   Made operator()(const Triangular&) const { return field(triangular_block); }
   Made operator()(const Waves&) const {
-    return field([n = sources()](Vec3 p) { return waves(p, n); });
+    return field([n = sources(), o = options](Vec3 p) { return waves(p, n, o); });
   }
   Made operator()(const Wood&) const {
-    const OwnTurbulence t = turbulence;
-    if (t.amount == Vec3{}) return field([](Vec3 p) { return std::hypot(p.x, p.y); });
-    return field([t](Vec3 p) {
-      const Vec3 moved = p + vector_turbulence(p, t.octaves);
-      return std::hypot(p.x + std::sin(kTurn * moved.x * t.amount.x),
-                        p.y + std::sin(kTurn * moved.y * t.amount.y));
+    if (options.turbulence == Vec3{}) return field([](Vec3 p) { return std::hypot(p.x, p.y); });
+    return field([o = options](Vec3 p) {
+      const Vec3 moved = p + vector_turbulence(p, o.octaves);
+      return std::hypot(p.x + std::sin(kTurn * moved.x * o.turbulence.x),
+                        p.y + std::sin(kTurn * moved.y * o.turbulence.y));
     });
   }
   Made operator()(const Wrinkles&) const {
-    return field([g = generator](Vec3 p) { return wrinkles(p, g); });
+    return field([g = options.generator](Vec3 p) { return wrinkles(p, g); });
   }
 };
 
 }  // namespace
 
-std::unique_ptr<const Field> make_field(const PatternData& data, NoiseGenerator generator,
-                                        const OwnTurbulence& turbulence,
+std::unique_ptr<const Field> make_field(const PatternData& data, const FieldOptions& options,
                                         const PatternServices& services) {
-  return std::visit(Maker{generator, turbulence, services}, data);
+  return std::visit(Maker{options, services}, data);
 }
 
 bool is_block_pattern(const PatternData& data) {
@@ -285,9 +290,8 @@ bool is_block_pattern(const PatternData& data) {
          std::holds_alternative<ObjectPattern>(data);
 }
 
-bool has_own_turbulence(const PatternData& data) {
-  return std::holds_alternative<Marble>(data) || std::holds_alternative<Wood>(data) ||
-         std::holds_alternative<Agate>(data);
+bool keeps_point(const PatternData& data) {
+  return std::holds_alternative<Marble>(data) || std::holds_alternative<Wood>(data);
 }
 
 }  // namespace dioptre

@@ -36,21 +36,23 @@ struct PatternServices {
   std::function<bool(ObjectId, Vec3)> inside;
 };
 
-/// How the keyword `turbulence` enters a pattern: marble and wood use it in their own way.
-struct OwnTurbulence {
-  Vec3 amount;
-  Octaves octaves;
+/// What a pattern is made with beside its own parameters.
+struct FieldOptions {
+  NoiseGenerator generator = NoiseGenerator::kRangeCorrected;
+  Vec3 turbulence;  ///< the amount of the keyword `turbulence`
+  Octaves octaves;  ///< of that turbulence
+  double frequency = 1, phase = 0;
 };
 
 /// Makes the field of a pattern.
-std::unique_ptr<const Field> make_field(const PatternData& data, NoiseGenerator generator,
-                                        const OwnTurbulence& turbulence,
+std::unique_ptr<const Field> make_field(const PatternData& data, const FieldOptions& options,
                                         const PatternServices& services);
 
 /// True for the patterns that give the number of a block.
 bool is_block_pattern(const PatternData& data);
 
-/// True for the patterns that use the keyword `turbulence` themselves.
-bool has_own_turbulence(const PatternData& data);
+/// True for the patterns that use the keyword `turbulence` in their own way in place of moving the
+/// point. (Agate and spirals use it and move the point.)
+bool keeps_point(const PatternData& data);
 
 }  // namespace dioptre

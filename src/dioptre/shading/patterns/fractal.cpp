@@ -65,17 +65,21 @@ double fractal_value(Vec3 p, const Fractal& fractal) {
   const Complex point{p.x, p.y};
   const Complex c = fractal.julia ? Complex{fractal.constant.x, fractal.constant.y} : point;
   Complex z = fractal.magnet && !fractal.julia ? Complex{} : point;
-  // A magnet orbit that comes to 1 stays there: it never escapes.
+  // A magnet orbit that comes to 1 stays there: that ends it like an escape.
   const double bailout = fractal.magnet ? 100 * 100 : 4;
-  double smallest = std::norm(z);
+  const auto ends = [&](Complex w, double size) {
+    return !(size <= bailout) || (fractal.magnet && std::norm(w - Complex{1, 0}) < 1e-4);
+  };
+  double smallest = z == Complex{} ? 1e300 : std::norm(z);
+  Complex before = z;
   std::uint32_t i = 0;
   bool escaped = false;
-  for (; i < most && !escaped; ++i) {
+  for (; i < most; ++i) {
+    before = z;
     z = step(z, c, fractal);
     const double size = std::norm(z);
     smallest = std::min(smallest, size);
-    if (fractal.magnet && std::norm(z - Complex{1, 0}) < 1e-4) break;
-    escaped = !(size <= bailout);
+    escaped = ends(z, size);
     if (escaped) break;
   }
   if (!escaped) {

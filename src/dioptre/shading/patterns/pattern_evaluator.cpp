@@ -7,15 +7,24 @@
 namespace dioptre {
 namespace {
 
-/// The turbulence that stands first in the list, if the pattern uses it itself.
-const Turbulence* own_turbulence(const Pattern& pattern) {
-  if (!has_own_turbulence(pattern.data) || pattern.warps.empty()) return nullptr;
-  return std::get_if<Turbulence>(&pattern.warps.front());
+FieldOptions options_of(const Pattern& pattern, const Settings& settings) {
+  FieldOptions options;
+  options.generator = noise_generator_of(pattern, settings);
+  options.frequency = pattern.frequency;
+  options.phase = pattern.phase;
+  const auto* keyword =
+      pattern.warps.empty() ? nullptr : std::get_if<Turbulence>(&pattern.warps.front());
+  if (keyword) {
+    options.turbulence = keyword->amount;
+    options.octaves = {keyword->octaves, keyword->omega, keyword->lambda};
+  }
+  return options;
 }
 
-OwnTurbulence octaves_of(const Turbulence* t) {
-  if (!t) return {};
-  return {t->amount, {t->octaves, t->omega, t->lambda}};
+/// True if the first warp is a turbulence that the pattern uses itself.
+bool skips_first_warp(const Pattern& pattern) {
+  return keeps_point(pattern.data) && !pattern.warps.empty() &&
+         std::holds_alternative<Turbulence>(pattern.warps.front());
 }
 
 Wave usual_wave(const PatternData& data) {
@@ -53,9 +62,8 @@ NoiseGenerator noise_generator_of(const Pattern& pattern, const Settings& settin
 }
 
 PatternEvaluator::PatternEvaluator(const Pattern& pattern, const PatternServices& services)
-    : warps_(pattern.warps, own_turbulence(pattern) != nullptr),
-      field_(make_field(pattern.data, noise_generator_of(pattern, services.scene->settings),
-                        octaves_of(own_turbulence(pattern)), services)),
+    : warps_(pattern.warps, skips_first_warp(pattern)),
+      field_(make_field(pattern.data, options_of(pattern, services.scene->settings), services)),
       block_(is_block_pattern(pattern.data)),
       wave_(pattern.own_wave ? pattern.wave : usual_wave(pattern.data)),
       exponent_(pattern.wave_exponent),

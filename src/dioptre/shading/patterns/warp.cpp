@@ -15,12 +15,13 @@ Vec3 warped(Vec3 p, const Turbulence& t) {
 
 Vec3 warped(Vec3 p, const RepeatWarp& repeat) {
   const std::size_t axis = repeat.axis % 3;
-  if (repeat.width == 0) return p;
-  const double copy = std::floor(p[axis] / repeat.width);
-  p[axis] -= copy * repeat.width;
+  const double width = static_cast<float>(repeat.width);  // as the scene language keeps it
+  if (width == 0) return p;
+  const double copy = std::floor(p[axis] / width);
+  p[axis] -= copy * width;
   if (std::fmod(std::fabs(copy), 2) == 1) {
     p[axis] *= repeat.flip[axis];
-    if (repeat.flip[axis] < 0) p[axis] += repeat.width;
+    if (repeat.flip[axis] < 0) p[axis] += width;
     for (std::size_t other = 0; other < 3; ++other) {
       if (other != axis) p[other] *= repeat.flip[other];
     }
@@ -35,6 +36,8 @@ Vec3 warped(Vec3 p, const BlackHoleWarp& hole) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (hole.repeat[axis] == 0) continue;
       cell[axis] = std::floor(p[axis] / hole.repeat[axis]);
+      center[axis] =
+          std::fmax(center[axis], hole.radius);  // the hole does not leave its cell below
     }
     center += cell * hole.repeat;
     const auto jitter = [&](double salt) {
@@ -51,36 +54,35 @@ Vec3 warped(Vec3 p, const BlackHoleWarp& hole) {
   return center + stretch * from_center;
 }
 
-/// Wraps the x-y plane once around a body; the result is in image coordinates where the body has
-/// them, z the depth.
-Vec3 warped(Vec3 p, const MappingWarp& map) {
-  const auto turn = [](double a, double b) {
-    const double t = std::atan2(a, b) / (2 * std::numbers::pi);
-    return t < 0 ? t + 1 : t;
+/// The angle of (x, y) in turns, 0 to 1.
+double turn(double x, double y) {
+  const double t = std::atan2(y, x) / (2 * std::numbers::pi);
+  return t < 0 ? t + 1 : t;
+}
+
+/// The plane of the pattern is wrapped once around a body: u around it, v up, w away from it.
+Vec3 on_body(Vec3 p, const MappingWarp& map) {
+  const auto stretch = [&](double distance) {
+    return map.distance_exponent == 0 ? 1 : std::pow(distance, map.distance_exponent);
   };
-  const auto stretched = [&](double u, double v, double distance) {
-    const double s = map.distance_exponent == 0 ? 1 : std::pow(distance, map.distance_exponent);
-    return Vec3{u * s, v * s, distance};
-  };
+  const double u = turn(p.x, p.z);
   switch (map.kind) {
-    case MappingWarp::Kind::kPlanar: {
-      const Vec3 n = abs(map.orientation);
-      if (n.x > n.y && n.x > n.z) return {-p.z, p.y, p.x};
-      if (n.y > n.z) return {p.x, -p.z, p.y};
-      return p;
-    }
+    case MappingWarp::Kind::kPlanar:
+      return {p.x, p.y, map.distance_exponent};
     case MappingWarp::Kind::kCylindrical: {
-      const double r = std::hypot(p.x, p.z);
-      return stretched(turn(p.x, p.z), p.y, r);
+      const double radius = std::hypot(p.x, p.z);
+      return {u * stretch(radius), p.y, radius};
     }
     case MappingWarp::Kind::kSpherical: {
-      const double r = length(p);
-      const double up = r > 0 ? std::asin(std::fmax(-1, std::fmin(1, p.y / r))) : 0;
-      return stretched(turn(p.x, p.z), 0.5 + up / std::numbers::pi, r);
+      const double radius = length(p), s = stretch(radius);
+      const double sine = radius > 0 ? std::fmax(-1, std::fmin(1, p.y / radius)) : 0;
+      return {u * s, (0.5 + std::asin(sine) / std::numbers::pi) * s, radius};
     }
     case MappingWarp::Kind::kToroidal: {
       const double across = std::hypot(p.x, p.z) - map.major_radius;
-      return stretched(turn(p.x, p.z), turn(p.y, across), std::hypot(across, p.y));
+      const double radius = std::hypot(across, p.y), s = stretch(radius);
+      const double v = std::fmod(turn(across, p.y) + 0.5, 1.0);
+      return {u * s, v * s, radius};
     }
     case MappingWarp::Kind::kCubic: {
       const Vec3 a = abs(p);
@@ -90,6 +92,17 @@ Vec3 warped(Vec3 p, const MappingWarp& map) {
     }
   }
   return p;
+}
+
+/// Turned so that w goes along the orientation, by the scene language's own rule (measured; it is a
+/// turn for orientations along the axes only).
+Vec3 warped(Vec3 p, const MappingWarp& map) {
+  const Vec3 m = on_body(p, map);
+  const double size = length(map.orientation);
+  if (!(size > 0)) return m;
+  const Vec3 n = map.orientation / size;
+  return {(n.z + n.y) * m.x + n.x * m.z, (n.z + n.x) * m.y - n.y * m.z,
+          -n.x * m.x + n.y * m.y + n.z * m.z};
 }
 
 }  // namespace
