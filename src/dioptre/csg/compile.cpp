@@ -98,24 +98,24 @@ struct Extent {
   bool solid = false;  ///< whether anything can be inside
 };
 
-/// Carries bounds up the tree, then down.
+/// Carries bounds up the tree, then down; what the leaves are cut to tightens their own bounds, and
+/// so on, a few times.
 class BoundsPass {
  public:
-  explicit BoundsPass(Compiled& out) : out_(out), extents_(out.nodes.size()) {}
+  explicit BoundsPass(Compiled& out) : out_(out), extents_(out.nodes.size()) {
+    for (const PlacedLeaf& leaf : out.placed) leaf_bounds_.push_back(leaf.bounds());
+  }
 
   void run() {
-    up();
+    constexpr int kRounds = 3;
+    up_and_down();
+    for (int round = 1; round < kRounds && tighten(); ++round) up_and_down();
     const Bounds root = extents_[0].bounds;
     Bounds surfaces;
-    for (std::size_t i = 1; i < extents_.size(); ++i) {
-      const auto parent = static_cast<std::size_t>(out_.nodes[i].parent);
-      extents_[i].bounds = part(extents_[i].bounds, extents_[parent].bounds);
-    }
     for (std::uint32_t i = 0; i < out_.leaves.size(); ++i) {
       CompiledLeaf& leaf = out_.leaves[i];
       if (!leaf.used) continue;
-      const Bounds interest =
-          part(out_.placed[i].bounds(), extents_[static_cast<std::size_t>(leaf.parent)].bounds);
+      const Bounds interest = part(leaf_bounds_[i], extent_around(leaf).bounds);
       leaf.interest = SlabBox(interest);
       if (!interest.empty()) surfaces = unite(surfaces, interest);
       sort_in(i, interest);
@@ -132,9 +132,36 @@ class BoundsPass {
     return common.empty() ? Bounds{} : common;
   }
 
+  const Extent& extent_around(const CompiledLeaf& leaf) const {
+    return extents_[static_cast<std::size_t>(leaf.parent)];
+  }
+
+  /// Cuts the leaves to what is around them; true if that made one smaller.
+  bool tighten() {
+    bool smaller = false;
+    for (std::uint32_t i = 0; i < out_.leaves.size(); ++i) {
+      const CompiledLeaf& leaf = out_.leaves[i];
+      if (!leaf.used || leaf_bounds_[i].finite()) continue;
+      const Bounds cut =
+          part(leaf_bounds_[i], out_.placed[i].bounds_within(extent_around(leaf).bounds));
+      smaller = smaller || cut != leaf_bounds_[i];
+      leaf_bounds_[i] = cut;
+    }
+    return smaller;
+  }
+
+  void up_and_down() {
+    up();
+    for (std::size_t i = 1; i < extents_.size(); ++i) {
+      const auto parent = static_cast<std::size_t>(out_.nodes[i].parent);
+      extents_[i].bounds = part(extents_[i].bounds, extents_[parent].bounds);
+    }
+  }
+
   void up() {
     for (std::size_t i = 0; i < extents_.size(); ++i) {
       CompiledNode& node = out_.nodes[i];
+      node.count = 0;
       const bool all = is_conjunction(node.operation) && node.children > 0;
       node.threshold = all ? node.children : 1;
       extents_[i].bounds = all ? Bounds::all() : Bounds{};
@@ -145,7 +172,7 @@ class BoundsPass {
       if (!leaf.used) continue;
       leaf.outside = out_.placed[i].outside();
       leaf.sheet = !out_.placed[i].solid();
-      add(leaf.parent, {leaf.outside ? Bounds::all() : out_.placed[i].bounds(), leaf.outside,
+      add(leaf.parent, {leaf.outside ? Bounds::all() : leaf_bounds_[i], leaf.outside,
                         !leaf.sheet || leaf.outside});
     }
     for (std::size_t i = extents_.size(); i-- > 1;) {
@@ -180,6 +207,7 @@ class BoundsPass {
 
   Compiled& out_;
   std::vector<Extent> extents_;
+  std::vector<Bounds> leaf_bounds_;
 };
 
 }  // namespace

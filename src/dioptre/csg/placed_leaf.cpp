@@ -32,6 +32,13 @@ void PlacedLeaf::to_world(const Ray& ray, Crossing& crossing) const {
   crossing.entering = crossing.entering != leaf_.complement;
 }
 
+Bounds PlacedLeaf::bounds_within(const Bounds& region) const {
+  const Bounds common = intersect(bounds_, region);
+  if (outside_ || leaf_.complement || common.empty()) return common;
+  const Bounds inner = leaf_.shape->bounds_within(transform(common, leaf_.placement.to_object));
+  return intersect(common, transform(inner, leaf_.placement.to_world));
+}
+
 bool PlacedLeaf::crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const {
   const std::size_t first = out.size();
   const bool inside = leaf_.shape->crossings(to_object(ray), range, out);

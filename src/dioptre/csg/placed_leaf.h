@@ -18,6 +18,9 @@ class PlacedLeaf {
   /// Whether what lies outside `bounds` is inside the leaf.
   bool outside() const { return outside_; }
   bool solid() const { return leaf_.shape->solid(); }
+  /// A box around the part of the inside that lies in a region of world space; for a leaf that is
+  /// true outside its bounds, around the part of its surface.
+  Bounds bounds_within(const Bounds& region) const;
 
   /// Appends the crossings in the range, marked with `id`, and returns whether the ray is inside
   /// just after range.min. Their errors take in the rounding of the ray and of the leaf's place.

@@ -46,6 +46,10 @@ class Shape {
   /// A box that holds every surface point, and every inside point unless it is infinite.
   virtual Bounds bounds() const = 0;
 
+  /// A box that holds what of the shape lies in `region`. Tighter than the common part of both
+  /// boxes where an infinite shape is cut to a finite piece (a hyperboloid between two planes).
+  virtual Bounds bounds_within(const Bounds& region) const { return intersect(bounds(), region); }
+
   virtual bool solid() const { return true; }
 
   /// Appends the crossings with range.min < t < range.max to `out`, in order of t, and returns

@@ -57,7 +57,7 @@ FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance) 
                  fog.color.transmit);
     const float filter = fog.color.filter;
     const Color tint = Color{1, 1, 1} * (1 - filter) + fog.color.color * filter;
-    effect.added = effect.added * (tint * through) + fog.color.color * (1 - through);
+    effect.added += fog.color.color * (1 - through);
     effect.transmittance *= tint * through;
   }
   return effect;

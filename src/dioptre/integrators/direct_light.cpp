@@ -70,6 +70,7 @@ DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& opti
 
 Color DirectLight::along(Vec3 to_light, double distance, const SurfaceInteraction& at,
                          RayCounts& counts) const {
+  if (distance <= 0) return {1, 1, 1};
   ++counts.shadow;
   return scene_.transmittance(spawn_ray(at, to_light), {0, distance});
 }
@@ -78,7 +79,7 @@ Color DirectLight::to_point(Vec3 light_position, const SurfaceInteraction& at,
                             RayCounts& counts) const {
   const Vec3 to_light = light_position - at.surface.position;
   const double distance = length(to_light);
-  return distance > 0 ? along(to_light / distance, distance, at, counts) : Color{1, 1, 1};
+  return along(to_light / distance, distance, at, counts);
 }
 
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,

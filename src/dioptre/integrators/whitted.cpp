@@ -182,7 +182,6 @@ Color Whitted::light_from(const LightSource& light, const SurfaceInteraction& at
   }
   if (is_black(radiance)) return {};
   radiance *= illumination->intensity;
-  if (max_component(radiance * path.weight) <= 0) return {};
   return radiance * direct_.visibility(light, *illumination, at, scratch.counts);
 }
 

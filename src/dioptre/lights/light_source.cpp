@@ -58,7 +58,6 @@ std::optional<Illumination> LightSource::from(Vec3 location, Vec3 point) const {
   if (parallel) {
     result.to_light = -axis_;
     result.distance = dot(to_light, -axis_);
-    if (result.distance <= 0) return std::nullopt;
   } else {
     result.distance = length(to_light);
     if (!(result.distance > 0)) return std::nullopt;
@@ -67,6 +66,7 @@ std::optional<Illumination> LightSource::from(Vec3 location, Vec3 point) const {
   double strength = 1;
   if (light_.fade_power > 0 && light_.fade_distance != 0) {
     strength = 2 / (1 + std::pow(result.distance / light_.fade_distance, light_.fade_power));
+    if (!std::isfinite(strength)) return std::nullopt;
   }
   if (light_.kind == Light::Kind::kSpotlight) strength *= cone(result.to_light);
   if (light_.kind == Light::Kind::kCylinder) strength *= beam(point);

@@ -14,8 +14,10 @@ namespace dioptre {
 
 /// What arrives at a point from one light if nothing is in between.
 struct Illumination {
-  Vec3 to_light;        ///< unit
-  double distance = 0;  ///< to the light, or to where its parallel rays begin
+  Vec3 to_light;  ///< unit
+  /// To the light, or to the plane where its parallel rays begin. Parallel light also shines behind
+  /// that plane, without shadows; there the distance is negative (measured).
+  double distance = 0;
   Color intensity;      ///< not black
 };
 

@@ -202,6 +202,8 @@ std::vector<KnownNormal> known_normals() {
       {"no_bump_scale <1,3,5>", unscaled(bumps(Bumps{}, scaled(1, 3, 5))), {-0.11262, 1, -0.031}},
       {"rotate y*90", bumps(Bumps{}, turned), {-0.23535, 0.96476, 0.11767}},
       {"bump_size 2", strong(bumps(Bumps{})), {-0.29431, 0.72483, -0.6229}},
+      {"quilted", bumps(Quilted{}), {-0.14456, 0.96544, -0.21685}},
+      {"quilted controls", bumps(Quilted{0.3, 0.7}), {-0.08647, 0.98777, -0.12969}},
       {"ripples", bumps(Ripples{}), {0.1468, 0.97467, 0.16869}},
       {"ripples frequency", waving(bumps(Ripples{})), {0.06624, 0.9977, 0.01462}},
       {"waves", bumps(Waves{}), {0.02916, 0.93305, 0.35857}},

@@ -12,6 +12,9 @@ class PreparedQuadric final : public Shape {
   explicit PreparedQuadric(const Quadric& q) : q_(q) {}
 
   Bounds bounds() const override { return quadric_bounds(q_); }
+  Bounds bounds_within(const Bounds& region) const override {
+    return quadric_bounds_within(q_, region);
+  }
 
   bool contains(Vec3 p) const override { return value(p) <= 0; }
 

@@ -69,7 +69,47 @@ Bounds ellipsoid_bounds(const Quadric& q) {
   return box;
 }
 
+/// The least value of s x^2 + l x for x in [low, high].
+double least(double s, double l, double low, double high) {
+  const auto term = [&](double x) { return (s == 0 ? 0 : s * x * x) + (l == 0 ? 0 : l * x); };
+  if (s > 0) {
+    const double x = std::fmin(std::fmax(-l / (2 * s), low), high);
+    return term(x);
+  }
+  return std::fmin(term(low), term(high));
+}
+
 }  // namespace
+
+Bounds quadric_bounds_within(const Quadric& q, const Bounds& region) {
+  Bounds box = intersect(quadric_bounds(q), region);
+  if (q.products != Vec3{} || box.empty()) return box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double s = q.squares[axis], l = q.linear[axis];
+    if (s < 0 || (s == 0 && l == 0)) continue;
+    double level = -q.constant, terms = std::fabs(q.constant);
+    for (std::size_t other = 0; other < 3; ++other) {
+      if (other == axis) continue;
+      const double part = least(q.squares[other], q.linear[other], box.min[other], box.max[other]);
+      level -= part;
+      terms += std::fabs(part);
+    }
+    if (!std::isfinite(terms)) continue;
+    level += kRoom * terms;
+    Bounds bounded = Bounds::all();
+    if (s > 0) {
+      const double squared = level / s + l * l / (4 * s * s);
+      if (squared < 0) return {};
+      bound_axis(bounded, axis, -l / (2 * s), std::sqrt(squared));
+    } else {
+      const double end = level / l;
+      (l > 0 ? bounded.max : bounded.min)[axis] = end + std::copysign(kRoom * std::fabs(end), l);
+    }
+    box = intersect(box, bounded);
+    if (box.empty()) return {};
+  }
+  return box;
+}
 
 Bounds quadric_bounds(const Quadric& q) {
   return q.products == Vec3{} ? aligned_bounds(q) : ellipsoid_bounds(q);

@@ -11,4 +11,8 @@ namespace dioptre {
 /// elsewhere.
 Bounds quadric_bounds(const Quadric& quadric);
 
+/// A box that holds the part of the quadric's inside that lies in `region`; tight in the directions
+/// that the rest of the equation bounds there, if the axes of the quadric lie along x, y and z.
+Bounds quadric_bounds_within(const Quadric& quadric, const Bounds& region);
+
 }  // namespace dioptre

@@ -103,7 +103,8 @@ ImageSampler::Texel ImageSampler::weighted(std::int64_t column, std::int64_t row
 ImageSampler::Texel ImageSampler::sample(Vec2 uv) const {
   const double x = uv.x * source_.data->width, y = uv.y * source_.data->height;
   if (source_.interpolation == ImageSource::Interpolation::kNone) {
-    return texel(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
+    return texel(static_cast<std::int64_t>(std::floor(x)),
+                 static_cast<std::int64_t>(std::floor(y)));
   }
   const double left = std::floor(x - 0.5), below = std::floor(y - 0.5);
   const double a = x - 0.5 - left, b = y - 0.5 - below;
@@ -132,12 +133,24 @@ std::optional<PigmentColor> ImageSampler::color(Vec3 p) const {
                       transmit != 0 ? transmit : 1 - t.channel[3]};
 }
 
-double ImageSampler::height(Vec3 p) const {
-  const auto uv = place(p);
-  if (!uv) return 0;
-  const Texel t = sample(*uv);
+double ImageSampler::height_of(const Texel& t) const {
   if (source_.use_alpha) return t.channel[3];
   return static_cast<double>(gray({t.channel[0], t.channel[1], t.channel[2]})) * t.channel[3];
+}
+
+double ImageSampler::height(Vec3 p) const {
+  const auto uv = place(p);
+  return uv ? height_of(sample(*uv)) : 0;
+}
+
+std::optional<Vec2> ImageSampler::lean(Vec3 p) const {
+  const auto uv = place(p);
+  if (!uv) return std::nullopt;
+  const double column = 1.0 / source_.data->width, row = 1.0 / source_.data->height;
+  const double here = height_of(sample(*uv));
+  const double left = height_of(sample({uv->x - column, uv->y - row}));
+  const double right = height_of(sample({uv->x + column, uv->y - row}));
+  return Vec2{(left - right) / 2, (left + right) / 2 - here};
 }
 
 std::uint32_t ImageSampler::index(Vec3 p) const {

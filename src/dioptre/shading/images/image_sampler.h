@@ -21,6 +21,10 @@ class ImageSampler {
   /// The grey value, or the alpha channel if the image asks for it; 0 where it does not reach.
   double height(Vec3 p) const;
 
+  /// How far a normal leans on the image's bumps, along u and v: differences of the heights at the
+  /// point and one pixel below it to the left and right. Nothing where the image does not reach.
+  std::optional<Vec2> lean(Vec3 p) const;
+
   /// The number that the nearest pixel stands for in a material map: its first channel as a byte.
   std::uint32_t index(Vec3 p) const;
 
@@ -34,6 +38,7 @@ class ImageSampler {
   std::optional<Vec2> place(Vec3 p) const;
   Texel texel(std::int64_t column, std::int64_t row) const;
   Texel sample(Vec2 uv) const;
+  double height_of(const Texel& t) const;
   template <class Weight>
   Texel weighted(std::int64_t column, std::int64_t row, int from, int to, Weight weight) const;
 

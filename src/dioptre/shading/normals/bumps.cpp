@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "dioptre/shading/patterns/quilted.h"
+
 namespace dioptre {
 namespace {
 
@@ -16,6 +18,13 @@ Vec3 wrinkles(Vec3 p) {
     scale *= 2;
   }
   return sum;
+}
+
+/// Away from the centre of each unit cube, by the curve of the quilt.
+Vec3 cushions(Vec3 p, const Quilted& quilted) {
+  const auto off = [](double v) { return v - std::floor(v) - 0.5; };
+  const Vec3 out{off(p.x), off(p.y), off(p.z)};
+  return 2 / std::numbers::sqrt3 * quilted_curve(length(out), quilted) * out;
 }
 
 /// Circular waves around the sources, which lower frequencies are the higher for if `own`
@@ -39,13 +48,14 @@ Vec3 circles(Vec3 p, std::uint32_t sources, double frequency, double phase, bool
 
 bool Bump::exists_for(const PatternData& data) {
   return std::holds_alternative<Bumps>(data) || std::holds_alternative<Dents>(data) ||
-         std::holds_alternative<Wrinkles>(data) || std::holds_alternative<Ripples>(data) ||
-         std::holds_alternative<Waves>(data);
+         std::holds_alternative<Wrinkles>(data) || std::holds_alternative<Quilted>(data) ||
+         std::holds_alternative<Ripples>(data) || std::holds_alternative<Waves>(data);
 }
 
 Bump::Kind Bump::kind_of(const PatternData& data) {
   if (std::holds_alternative<Dents>(data)) return Kind::kDents;
   if (std::holds_alternative<Wrinkles>(data)) return Kind::kWrinkles;
+  if (std::holds_alternative<Quilted>(data)) return Kind::kQuilted;
   if (std::holds_alternative<Ripples>(data)) return Kind::kRipples;
   return std::holds_alternative<Waves>(data) ? Kind::kWaves : Kind::kBumps;
 }
@@ -55,7 +65,9 @@ Bump::Bump(const Pattern& pattern, NoiseGenerator generator, std::uint32_t wave_
       generator_(generator),
       sources_(std::clamp(wave_sources, 1u, kMaxWaveSources)),
       frequency_(pattern.frequency),
-      phase_(pattern.phase) {}
+      phase_(pattern.phase) {
+  if (const auto* quilted = std::get_if<Quilted>(&pattern.data)) quilted_ = *quilted;
+}
 
 Vec3 Bump::at(Vec3 p) const {
   switch (kind_) {
@@ -67,6 +79,8 @@ Vec3 Bump::at(Vec3 p) const {
     }
     case Kind::kWrinkles:
       return wrinkles(p);
+    case Kind::kQuilted:
+      return cushions(p, quilted_);
     case Kind::kRipples:
       return circles(p, sources_, frequency_, phase_, false);
     case Kind::kWaves:

@@ -10,10 +10,10 @@
 namespace dioptre {
 
 /// What the patterns that have their own way of making bumps add to a unit normal, for an amount of
-/// 1: vector noise, or circular waves from fixed sources.
+/// 1: vector noise, cushions, or circular waves from fixed sources.
 class Bump {
  public:
-  /// True for bumps, dents, wrinkles, ripples and waves.
+  /// True for bumps, dents, wrinkles, quilted, ripples and waves.
   static bool exists_for(const PatternData& data);
 
   Bump(const Pattern& pattern, NoiseGenerator generator, std::uint32_t wave_sources);
@@ -22,13 +22,14 @@ class Bump {
   Vec3 at(Vec3 p) const;
 
  private:
-  enum class Kind : std::uint8_t { kBumps, kDents, kWrinkles, kRipples, kWaves };
+  enum class Kind : std::uint8_t { kBumps, kDents, kWrinkles, kQuilted, kRipples, kWaves };
   static Kind kind_of(const PatternData& data);
 
   Kind kind_;
   NoiseGenerator generator_;
   std::uint32_t sources_;
   double frequency_, phase_;
+  Quilted quilted_;
 };
 
 }  // namespace dioptre

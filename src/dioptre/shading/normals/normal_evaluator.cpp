@@ -91,7 +91,8 @@ class PatternBumps final : public NormalEvaluator {
   SlopeMap profile_;
 };
 
-/// Bumps made by the heights of an image.
+/// Bumps made by the heights of an image, leaning in the plane across the normal whose axes are
+/// horizontal and upright.
 class ImageBumps final : public NormalEvaluator {
  public:
   ImageBumps(const Normal& normal, const BumpMapNormal& bumps, const ImageSampler& image)
@@ -100,10 +101,13 @@ class ImageBumps final : public NormalEvaluator {
         warps_(bumps.warps, false),
         space_(warps_.transform()) {}
   Vec3 disturb(const Lookup& at, Vec3 normal) const override {
+    const auto lean = image_.lean(warps_.apply(at.position));
+    if (!lean) return normal;
     Vec3 n = space_.normal_inside(normal);
     if (steepness_.scales) n = unit_or(n, n);
-    const auto height = [&](Vec3 p) { return image_.height(p); };
-    return space_.normal_outside(n - slope(warps_.apply(at.position), steepness_, height));
+    const Vec3 across = unit_or(cross(n, {0, 1, 0}), {1, 0, 0});
+    const Vec3 up = unit_or(cross(across, n), {0, 0, 1});
+    return space_.normal_outside(n + steepness_.amount * (lean->x * across + lean->y * up));
   }
 
  private:

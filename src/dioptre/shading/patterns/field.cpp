@@ -8,6 +8,7 @@
 #include "dioptre/shading/patterns/blocks.h"
 #include "dioptre/shading/patterns/crackle.h"
 #include "dioptre/shading/patterns/fractal.h"
+#include "dioptre/shading/patterns/quilted.h"
 
 namespace dioptre {
 namespace {
@@ -101,19 +102,6 @@ double slope_value(Vec3 p, const Viewpoint& viewpoint, const Slope& slope) {
   const double altitude =
       rescaled(dot(p, slope.altitude) / height, slope.altitude_low, slope.altitude_high);
   return (value + height * altitude) / (1 + height);
-}
-
-/// From the centre q = 0 of each unit cube: (2 / (3 sqrt 3)) (|q.x| + |q.y| + |q.z|) B(|q|), with B
-/// the cubic Bezier curve of the control values 0, control0, control1, 1 (measured).
-double quilted_value(Vec3 p, const Quilted& quilted) {
-  // The scene language keeps the controls in single precision.
-  const double control0 = static_cast<float>(quilted.control0);
-  const double control1 = static_cast<float>(quilted.control1);
-  const auto off = [](double v) { return std::fabs(v - std::floor(v) - 0.5); };
-  const Vec3 q{off(p.x), off(p.y), off(p.z)};
-  const double t = length(q), rest = 1 - t;
-  const double curve = 3 * t * rest * rest * control0 + 3 * t * t * rest * control1 + t * t * t;
-  return 2 / (3 * std::numbers::sqrt3) * (q.x + q.y + q.z) * curve;
 }
 
 /// Makes the field of each kind of pattern.

@@ -13,7 +13,8 @@ constexpr Vec3 kDefaultTarget{0, 0, 1};
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// Reads the contents of one camera. Angle and look_at act on the vectors as they are at the end.
+/// Reads the contents of one camera. Angle and look_at act on the vectors as they are at the end,
+/// and after them all transforms, wherever they stand (measured).
 class CameraParser {
  public:
   CameraParser(Parser& parser, Camera& camera) : parser_(parser), camera_(camera) {}
@@ -24,14 +25,15 @@ class CameraParser {
       if (parser_.accept(',')) continue;
       if (const auto named = take<Camera>(parser_)) {
         camera_ = *named;
+        finished_ = true;
       } else if (const auto by = parse_transforms(parser_)) {
-        finish();
-        transform(*by);
+        transform_ = then(transform_, *by);
       } else if (!parse_kind() && !parse_vectors() && !parse_lens()) {
         parser_.fail_expected("a camera modifier or '}'");
       }
     }
-    finish();
+    if (!finished_) finish();
+    transform(transform_);
   }
 
  private:
@@ -179,9 +181,6 @@ class CameraParser {
     if (camera_.kind == Kind::kOrthographic) fit_orthographic();
     if (look_at_) apply_look_at(*look_at_);
     if (focal_point_) apply_focus(*focal_point_);
-    has_angle_ = false;
-    look_at_.reset();
-    focal_point_.reset();
   }
 
   /// The horizontal angle of view decides the length of the direction.
@@ -201,8 +200,7 @@ class CameraParser {
   /// The image of an orthographic camera is as wide as the view of a perspective one is at the
   /// place looked at, unless its size is given by right or up and not by an angle.
   void fit_orthographic() {
-    if (fitted_ || (has_size_ && !has_angle_)) return;
-    fitted_ = true;
+    if (has_size_ && !has_angle_) return;
     const double size = length(camera_.direction);
     const double distance = length(look_at_.value_or(kDefaultTarget) - camera_.location);
     if (size == 0 || distance == 0) return;
@@ -217,7 +215,7 @@ class CameraParser {
       parser_.fail_at(look_at_place_, "the camera looks at its own location",
                       "move location or look_at");
     }
-    const bool mirrored = dot(cross(camera_.up, camera_.direction), camera_.right) < 0;
+    const bool mirrored = dot(cross(camera_.up, camera_.direction), camera_.right) <= 0;
     const double right_length = length(camera_.right);
     const double up_length = length(camera_.up);
     const double direction_length = length(camera_.direction);
@@ -251,10 +249,11 @@ class CameraParser {
 
   Parser& parser_;
   Camera& camera_;
+  Affine transform_;
   std::optional<Vec3> look_at_, focal_point_;
   bool has_angle_ = false;
+  bool finished_ = false;  ///< a copy of a named camera: its vectors are final
   bool has_size_ = false;  ///< right or up was written
-  bool fitted_ = false;
   SourcePosition angle_at_, look_at_place_;
 };
 
