@@ -104,7 +104,7 @@ class BvhBuilder {
     const auto index = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
     BoundingVolumeHierarchy::Node node;
-    node.box = {SlabBox(bounds_of(items.first(left))), SlabBox(bounds_of(items.subspan(left)))};
+    node.boxes = {SlabBox(bounds_of(items.first(left))), SlabBox(bounds_of(items.subspan(left)))};
     node.child[0] = build(first, left, depth + 1);
     node.child[1] = build(first + left, count - left, depth + 1);
     tree_.nodes_[index] = node;

@@ -58,17 +58,16 @@ class BoundingVolumeHierarchy {
         }
       } else {
         const Node& node = nodes_[child.first];
-        double left = 0, right = 0;
-        const bool meets_left = slabs.meets(node.box[0], range, left);
-        const bool meets_right = slabs.meets(node.box[1], range, right);
-        if (meets_left && meets_right) {
-          const bool left_first = left <= right;
-          stack[size++] = left_first ? Pending{right, node.child[1]} : Pending{left, node.child[0]};
-          child = node.child[left_first ? 0 : 1];
+        std::array<double, 2> entries;
+        const unsigned met = slabs.meets(node.boxes, range, entries);
+        if (met == 3) {
+          const std::size_t first = entries[0] <= entries[1] ? 0 : 1;
+          stack[size++] = {entries[1 - first], node.child[1 - first]};
+          child = node.child[first];
           continue;
         }
-        if (meets_left || meets_right) {
-          child = node.child[meets_left ? 0 : 1];
+        if (met != 0) {
+          child = node.child[met - 1];
           continue;
         }
       }
@@ -96,7 +95,7 @@ class BoundingVolumeHierarchy {
       if (child.count > 0) continue;
       const Node& node = nodes_[child.first];
       for (std::size_t side : {1, 0}) {
-        if (node.box[side].contains(p)) stack[size++] = node.child[side];
+        if (node.boxes.contains(side, p)) stack[size++] = node.child[side];
       }
     }
   }
@@ -109,7 +108,7 @@ class BoundingVolumeHierarchy {
   static constexpr std::size_t kMaxDepth = 96;
 
   struct Node {
-    std::array<SlabBox, 2> box;
+    SlabPair boxes;
     std::array<Child, 2> child;
   };
   struct Unbounded {

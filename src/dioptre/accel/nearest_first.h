@@ -29,7 +29,8 @@ class NearestFirst {
                std::vector<Pending>& storage)
       : tree_(tree), slabs_(ray), range_(range), heap_(storage) {
     heap_.clear();
-    if (tree_.has_root_) push(tree_.root_box_, tree_.root_);
+    double entry = 0;
+    if (tree_.has_root_ && slabs_.meets(tree_.root_box_, range_, entry)) push(entry, tree_.root_);
   }
 
   /// The entry of the nearest box not yet opened: no item reported later begins before it.
@@ -62,16 +63,16 @@ class NearestFirst {
       }
       pop();
       const auto& node = tree_.nodes_[child.first];
-      push(node.box[0], node.child[0]);
-      push(node.box[1], node.child[1]);
+      std::array<double, 2> entries;
+      const unsigned met = slabs_.meets(node.boxes, range_, entries);
+      if (met & 1) push(entries[0], node.child[0]);
+      if (met & 2) push(entries[1], node.child[1]);
     }
     return false;
   }
 
  private:
-  void push(const SlabBox& box, BoundingVolumeHierarchy::Child child) {
-    double entry = 0;
-    if (!slabs_.meets(box, range_, entry)) return;
+  void push(double entry, BoundingVolumeHierarchy::Child child) {
     heap_.push_back({entry, child});
     std::push_heap(heap_.begin(), heap_.end());
   }

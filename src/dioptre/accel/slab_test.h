@@ -23,6 +23,24 @@ struct SlabBox {
   }
 };
 
+/// Two boxes side by side, for one test of both.
+class SlabPair {
+ public:
+  SlabPair() = default;
+  SlabPair(const SlabBox& first, const SlabBox& second) {
+    for (std::size_t i = 0; i < 6; ++i) plane_[i] = Lanes{first.plane[i], second.plane[i]};
+  }
+  bool contains(std::size_t which, Vec3 p) const {
+    return plane_[0][which] <= p.x && p.x <= plane_[3][which] && plane_[1][which] <= p.y &&
+           p.y <= plane_[4][which] && plane_[2][which] <= p.z && p.z <= plane_[5][which];
+  }
+
+ private:
+  friend class SlabRay;
+  using Lanes = double __attribute__((vector_size(16)));
+  std::array<Lanes, 6> plane_{};
+};
+
 /// A ray prepared for many box tests (Kay and Kajiya 1986, "Ray tracing complex scenes").
 ///
 /// The test never misses a box: both ends are moved outwards by the bound on their rounding error
@@ -47,6 +65,27 @@ class SlabRay {
     const double end = far * (1 + std::copysign(kMargin, far));
     entry = begin > range.min ? begin : range.min;
     return entry <= (end < range.max ? end : range.max);
+  }
+
+  /// The same for two boxes: bit 0 says that the ray meets the first, bit 1 the second.
+  unsigned meets(const SlabPair& pair, const Interval& range, std::array<double, 2>& entry) const {
+    using Lanes = SlabPair::Lanes;
+    const auto time = [&](int axis, const std::array<int, 3>& side) {
+      return (pair.plane_[static_cast<std::size_t>(side[axis])] - origin_[axis]) * inverse_[axis];
+    };
+    // As in latest(): a lane that is not a number loses every comparison and does not count.
+    const auto later = [](Lanes a, Lanes b) { return a > b ? a : b; };
+    const auto sooner = [](Lanes a, Lanes b) { return a < b ? a : b; };
+    const Lanes lowest = {-kInfinity, -kInfinity}, highest = {kInfinity, kInfinity};
+    const Lanes near = later(time(2, near_), later(time(1, near_), later(time(0, near_), lowest)));
+    const Lanes far = sooner(time(2, far_), sooner(time(1, far_), sooner(time(0, far_), highest)));
+    const Lanes less = {1 - kMargin, 1 - kMargin}, more = {1 + kMargin, 1 + kMargin};
+    const Lanes begin = near * (near > 0 ? less : more);
+    const Lanes end = far * (far > 0 ? more : less);
+    const Lanes first = later(begin, Lanes{range.min, range.min});
+    const Lanes last = sooner(end, Lanes{range.max, range.max});
+    entry = {first[0], first[1]};
+    return unsigned{first[0] <= last[0]} | unsigned{first[1] <= last[1]} << 1;
   }
 
  private:

@@ -46,6 +46,33 @@ double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, d
   return depth * (1 - fog.turb_depth * std::min(1.0, s) * thinning);
 }
 
+/// What the layers of a sky passed so far let through. Before version 3.7 the filtered and the
+/// transmitted share were multiplied up apart, and only the background was tinted (measured).
+class SkyTransmittance {
+ public:
+  explicit SkyTransmittance(double language_version) : apart_(language_version < 3.7) {}
+
+  void pass(const PigmentColor& layer) {
+    through_ *= layer.transmittance();
+    tint_ *= layer.color * layer.filter;
+    filter_ *= layer.filter;
+    transmit_ *= layer.transmit;
+    any_ = true;
+  }
+  Color to_layers() const {
+    return apart_ && any_ ? Color{1, 1, 1} * (filter_ + transmit_) : through_;
+  }
+  Color to_background() const {
+    return apart_ && any_ ? tint_ + Color{1, 1, 1} * transmit_ : through_;
+  }
+
+ private:
+  Color through_{1, 1, 1};
+  Color tint_{1, 1, 1};
+  float filter_ = 1, transmit_ = 1;
+  bool apart_, any_ = false;
+};
+
 }  // namespace
 
 FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance) {
@@ -65,17 +92,18 @@ FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance) 
 
 Color sky_radiance(const RenderScene& scene, Vec3 direction) {
   const Atmosphere& atmosphere = scene.scene().atmosphere;
-  Color radiance, filter{1, 1, 1};
+  SkyTransmittance through(scene.scene().settings.language_version);
+  Color radiance;
   for (const SkySphere& sky : atmosphere.sky_spheres) {
     const auto to_sky = inverse(sky.transform);
     const Vec3 point = to_sky ? to_sky->point(direction) : direction;
     for (std::size_t i = sky.pigments.size(); i-- > 0;) {
       const PigmentColor layer = scene.textures().pigment(sky.pigments[i], point);
-      radiance += filter * sky.emission * layer.color * layer.opacity();
-      filter *= layer.transmittance();
+      radiance += through.to_layers() * sky.emission * layer.color * layer.opacity();
+      through.pass(layer);
     }
   }
-  return radiance + filter * atmosphere.background;
+  return radiance + through.to_background() * atmosphere.background;
 }
 
 }  // namespace dioptre

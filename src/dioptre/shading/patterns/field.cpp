@@ -36,6 +36,9 @@ std::unique_ptr<const Field> field(Function function) {
   return std::make_unique<FunctionField<Function>>(std::move(function));
 }
 
+/// Values over 1 begin again at 0, before the wave stage with its own period (measured).
+double below_one(double v) { return v > 1 ? std::fmod(v, 1.0) : v; }
+
 double granite(Vec3 p, NoiseGenerator generator) {
   double sum = 0, scale = 4, weight = 1;
   for (int i = 0; i < 6; ++i) {
@@ -166,13 +169,12 @@ struct Maker {
   Made operator()(const FunctionPattern& pattern) const {
     return field([call = services.call, id = pattern.function](Vec3 p) {
       const double arguments[3] = {p.x, p.y, p.z};
-      return call(id, arguments);
+      return below_one(call(id, arguments));
     });
   }
   Made operator()(const Gradient& gradient) const {
     return field([d = normalize(gradient.direction)](Vec3 p) {
-      const double v = dot(p, d);
-      return v > 1 ? std::fmod(v, 1.0) : v;
+      return below_one(dot(p, d));
     });
   }
   Made operator()(const Granite&) const {

@@ -10,8 +10,8 @@ namespace {
 FieldOptions options_of(const Pattern& pattern, const Settings& settings) {
   FieldOptions options;
   options.generator = noise_generator_of(pattern, settings);
-  options.frequency = pattern.frequency;
-  options.phase = pattern.phase;
+  options.frequency = static_cast<float>(pattern.frequency);
+  options.phase = static_cast<float>(pattern.phase);
   const auto* keyword =
       pattern.warps.empty() ? nullptr : std::get_if<Turbulence>(&pattern.warps.front());
   if (keyword) {
