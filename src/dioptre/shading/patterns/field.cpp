@@ -94,17 +94,28 @@ double triangle(double v) {
   return v < 0.5 ? 2 * v : 2 - 2 * v;
 }
 
+/// The angle whose sine is v, -1/2 to 1/2 half turns to 0 to 1.
+double share_of_half_turn(double v) {
+  return 0.5 + std::asin(std::clamp(v, -1.0, 1.0)) / std::numbers::pi;
+}
+
+/// The weighted mean of how steep and how high a point is; the vectors' lengths are the weights.
 double slope_value(Vec3 p, const Viewpoint& viewpoint, const Slope& slope) {
   const auto rescaled = [](double v, double low, double high) {
-    return high != low ? std::clamp((v - low) / (high - low), 0.0, 1.0) : v;
+    return high != low ? (v - low) / (high - low) : v;
   };
-  const double steep = (dot(viewpoint.normal, normalize(slope.direction)) + 1) / 2;
-  const double value = rescaled(steep, slope.slope_low, slope.slope_high);
-  if (slope.altitude == Vec3{}) return value;
-  const double height = length(slope.altitude);
-  const double altitude =
-      rescaled(dot(p, slope.altitude) / height, slope.altitude_low, slope.altitude_high);
-  return (value + height * altitude) / (1 + height);
+  const double steep_weight = length(slope.direction), high_weight = length(slope.altitude);
+  if (!(steep_weight + high_weight > 0)) return 0;
+  double sum = 0;
+  if (steep_weight > 0) {
+    const double sine = dot(viewpoint.normal, slope.direction) / steep_weight;
+    sum += steep_weight * rescaled(share_of_half_turn(sine), slope.slope_low, slope.slope_high);
+  }
+  if (high_weight > 0) {
+    const double height = dot(p, slope.altitude) / high_weight;
+    sum += high_weight * rescaled(height, slope.altitude_low, slope.altitude_high);
+  }
+  return below_one(sum / (steep_weight + high_weight));
 }
 
 /// Makes the field of each kind of pattern.
@@ -127,8 +138,9 @@ struct Maker {
     });
   }
   Made operator()(const Aoi&) const {
-    return field(
-        [](Vec3, const Viewpoint& v) { return 0.5 + 0.5 * std::fabs(dot(v.normal, v.view)); });
+    return field([](Vec3, const Viewpoint& v) {
+      return share_of_half_turn(-dot(v.normal, v.view));
+    });
   }
   Made operator()(const Boxed&) const {
     return field([](Vec3 p) { return std::max(0.0, 1 - max_component(abs(p))); });
@@ -173,9 +185,7 @@ struct Maker {
     });
   }
   Made operator()(const Gradient& gradient) const {
-    return field([d = normalize(gradient.direction)](Vec3 p) {
-      return below_one(dot(p, d));
-    });
+    return field([d = normalize(gradient.direction)](Vec3 p) { return below_one(dot(p, d)); });
   }
   Made operator()(const Granite&) const {
     return field([g = options.generator](Vec3 p) { return granite(p, g); });

@@ -7,6 +7,7 @@
 namespace dioptre {
 namespace {
 
+/// Frequency and phase are kept in single precision, as the scene language keeps them.
 FieldOptions options_of(const Pattern& pattern, const Settings& settings) {
   FieldOptions options;
   options.generator = noise_generator_of(pattern, settings);
@@ -66,19 +67,17 @@ PatternEvaluator::PatternEvaluator(const Pattern& pattern, const PatternServices
       field_(make_field(pattern.data, options_of(pattern, services.scene->settings), services)),
       block_(is_block_pattern(pattern.data)),
       wave_(pattern.own_wave ? pattern.wave : usual_wave(pattern.data)),
-      exponent_(pattern.wave_exponent),
-      frequency_(pattern.frequency),
-      phase_(pattern.phase) {}
+      exponent_(static_cast<float>(pattern.wave_exponent)),
+      frequency_(static_cast<float>(pattern.frequency)),
+      phase_(static_cast<float>(pattern.phase)) {}
 
 double PatternEvaluator::value_inside(Vec3 p, const Viewpoint& viewpoint) const {
   const double raw = field_->value(p, viewpoint);
   if (block_) return raw;
   // The period is a little over 1, so that a value of exactly 1 stays 1 (measured).
   double v = raw;
-  if (frequency_ != 0) {
-    v = std::fmod(raw * frequency_ + phase_, 1.00001);
-    if (v < 0) v -= std::floor(v);
-  }
+  if (frequency_ != 0) v = std::fmod(raw * frequency_ + phase_, 1.00001);
+  if (v < 0) v -= std::floor(v);
   return shaped(v, wave_, exponent_);
 }
 

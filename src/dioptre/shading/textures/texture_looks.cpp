@@ -31,15 +31,13 @@ class Layers final : public TextureLook {
   void evaluate(const Lookup& at, Vec3 normal, float weight, TextureSample& out) const override {
     const auto first = static_cast<std::uint32_t>(out.layers.size());
     for (const Layer& layer : layers_) {
-      const Lookup inside = at.at(layer.space.point_inside(at.position));
+      Lookup inside = at.at(layer.space.point_inside(at.position));
       SurfaceLayer& made = out.layers.emplace_back();
-      made.pigment = parts_.pigments.color(layer.pigment, inside);
-      made.normal = normal;
+      made.normal = disturbed(layer, inside, normal);
       made.finish = &layer.finish;
-      if (!layer.normal) continue;
-      const Vec3 n = layer.space.normal_inside(normal);
-      const Vec3 disturbed = parts_.normals.disturb(layer.normal, inside, n);
-      if (disturbed != n) made.normal = layer.space.normal_outside(disturbed);
+      // Patterns that look at the surface see its bumps.
+      if (made.normal != normal) inside.viewpoint.normal = normalize(made.normal);
+      made.pigment = parts_.pigments.color(layer.pigment, inside);
     }
     out.stacks.push_back({weight, first, static_cast<std::uint32_t>(layers_.size())});
   }
@@ -64,6 +62,13 @@ class Layers final : public TextureLook {
     Finish finish;
     Space space;
   };
+  Vec3 disturbed(const Layer& layer, const Lookup& inside, Vec3 normal) const {
+    if (!layer.normal) return normal;
+    const Vec3 n = layer.space.normal_inside(normal);
+    const Vec3 made = parts_.normals.disturb(layer.normal, inside, n);
+    return made == n ? normal : layer.space.normal_outside(made);
+  }
+
   const TextureParts parts_;
   std::vector<Layer> layers_;  ///< the top one first
 };
