@@ -32,7 +32,7 @@ NoiseGenerator noise_of(const Settings& settings) {
 
 /// How much of the light is lost, as an optical depth. Turbulence is looked up once, in the middle
 /// of the stretch, and counts less the thicker the mist (measured):
-/// depth (1 - turb_depth min(1, S) exp(-distance / fog distance)).
+/// depth (1 - min(1, turb_depth S) exp(-distance / fog distance)).
 double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, double distance) {
   constexpr double kFar = 1e7;  // the sky's distance in the scene language
   distance = std::min(distance, kFar);
@@ -43,7 +43,7 @@ double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, d
   const double s =
       scalar_turbulence(fog.turbulence * ray.at(distance / 2), {fog.octaves, fog.omega, fog.lambda},
                         noise_of(scene.scene().settings));
-  return depth * (1 - fog.turb_depth * std::min(1.0, s) * thinning);
+  return depth * (1 - std::min(1.0, fog.turb_depth * s) * thinning);
 }
 
 /// What the layers of a sky passed so far let through. Before version 3.7 the filtered and the
