@@ -74,13 +74,15 @@ LensSamples::LensSamples(const Camera& camera) {
   }
   const std::uint32_t usual = count < 7 ? 4 : 7;
   least_ = camera.blur_samples_min > 0 ? camera.blur_samples_min : usual;
-  tolerance_ = camera.variance / deviations(std::clamp(camera.confidence, 0.0, 0.999999999));
+  // The square of the half width of the confidence interval, held against the camera's variance.
+  const double z = deviations(std::clamp(camera.confidence, 0.0, 0.999999999));
+  tolerance_ = camera.variance / (z * z);
 }
 
 bool LensSamples::certain(Color sum, Color squares, std::uint32_t count) const {
   const auto channel = [&](double s, double q) {
     const double variance = std::max(0.0, (q - s * s / count) / (count - 1.0));
-    return variance / count <= tolerance_ * tolerance_;
+    return variance / count <= tolerance_;
   };
   return count > 1 && channel(sum.r, squares.r) && channel(sum.g, squares.g) &&
          channel(sum.b, squares.b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,18 +19,20 @@ class LensSamples {
  public:
   explicit LensSamples(const Camera& camera);
 
-  /// The mean over the samples of pixel (x, y); stops early once the mean is known to within the
-  /// camera's `variance` at its `confidence`. `sample(x, y, lens)` takes continuous pixel
-  /// coordinates and a point of the lens in [0,1)^2.
+  /// The mean over the samples around (x, y), in continuous pixel coordinates, moved at random
+  /// within a square of `spread` pixels; stops early once the mean is certain. The random numbers
+  /// follow from (x, y) alone. `sample(x, y, lens)` takes a point of the lens in [0,1)^2.
   template <class Sample>
-  FilmSample pixel(std::uint32_t x, std::uint32_t y, Sample&& sample) const {
+  FilmSample mean(double x, double y, double spread, Sample&& sample) const {
+    const auto key = [](double v) { return static_cast<std::uint32_t>(std::lround(v * 64)); };
+    const std::uint32_t kx = key(x), ky = key(y);
     FilmSample sum{{}, 0};
     Color squares;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      const double px = x + random_at(x, y, i, 0), py = y + random_at(x, y, i, 1);
-      const Vec2 moved{cell_.x * (random_at(x, y, i, 2) - 0.5),
-                       cell_.y * (random_at(x, y, i, 3) - 0.5)};
-      const FilmSample one = sample(px, py, points_[i] + moved);
+      const auto random = [&](std::uint32_t k) { return random_at(kx, ky, i, k) - 0.5; };
+      const Vec2 moved{cell_.x * random(2), cell_.y * random(3)};
+      const FilmSample one =
+          sample(x + spread * random(0), y + spread * random(1), points_[i] + moved);
       sum = sum + one;
       squares += one.color * one.color;
       if (i + 1 >= least_ && certain(sum.color, squares, i + 1)) {
@@ -45,7 +48,7 @@ class LensSamples {
   std::vector<Vec2> points_;
   Vec2 cell_;
   std::uint32_t least_;
-  double tolerance_;  ///< of the standard error of the mean
+  double tolerance_;  ///< of the variance of the mean
 };
 
 }  // namespace dioptre

@@ -38,7 +38,7 @@ class Render {
   }
 
   void run() {
-    const bool two_passes = options_.antialias.method == 1 && !camera_.has_lens();
+    const bool two_passes = options_.antialias.method == 1;
     const double share = two_passes ? 0.5 : 1;
     pass(0, share, [&](std::uint32_t x, std::uint32_t y, RayCounts& counts) {
       store(x, y, first_value(x, y, counts));
@@ -55,14 +55,18 @@ class Render {
     return {radiance.color, radiance.alpha};
   }
 
+  /// The value at a place of the image: one ray, or what the whole lens sees around it.
+  FilmSample value(double x, double y, double spread, RayCounts& counts) const {
+    if (!camera_.has_lens()) return sample(x, y, {0.5, 0.5}, counts);
+    return lens_.mean(x, y, spread, [&](double px, double py, Vec2 lens) {
+      return sample(px, py, lens, counts);
+    });
+  }
+
   FilmSample first_value(std::uint32_t x, std::uint32_t y, RayCounts& counts) const {
-    const auto at = [&](double px, double py) { return sample(px, py, {0.5, 0.5}, counts); };
-    if (camera_.has_lens()) {
-      return lens_.pixel(
-          x, y, [&](double px, double py, Vec2 lens) { return sample(px, py, lens, counts); });
-    }
+    const auto at = [&](double px, double py) { return value(px, py, 0, counts); };
     if (options_.antialias.method == 2) return CornerRefiner(options_.antialias, at).pixel(x, y);
-    return at(x + 0.5, y + 0.5);
+    return value(x + 0.5, y + 0.5, 1, counts);
   }
 
   /// The second pass of antialiasing: where neighbours differ. It reads the first pass only.
@@ -73,7 +77,8 @@ class Render {
       const std::size_t index = std::size_t{y} * options_.width + x;
       if (!marked[index]) return;
       const FilmSample centre{result_.image.pixels[index], result_.image.alpha[index]};
-      const auto at = [&](double px, double py) { return sample(px, py, {0.5, 0.5}, counts); };
+      const double spread = 1.0 / std::max(1u, options_.antialias.depth);
+      const auto at = [&](double px, double py) { return value(px, py, spread, counts); };
       store(x, y, refine_on_grid(x, y, centre, options_.antialias, at));
     });
   }
