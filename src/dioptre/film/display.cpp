@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dioptre/film/transfer_curve.h"
+
 namespace dioptre {
 namespace {
 
@@ -18,20 +20,18 @@ double encode_value(float value, const Settings& settings, const DisplayOptions&
 
 /// Rounds the values of one channel row by row and hands each rounding error on to the neighbours
 /// that follow (Floyd and Steinberg 1976, "An adaptive algorithm for spatial grayscale").
-class Quantizer {
+class Diffuser {
  public:
-  Quantizer(std::uint32_t width, double top, bool diffuse)
-      : top_(top), diffuse_(diffuse), here_(diffuse ? width + 2 : 0), below_(here_.size()) {}
+  Diffuser(std::uint32_t width, double top) : top_(top), here_(width + 2), below_(width + 2) {}
 
   void next_row() {
-    if (!diffuse_) return;
     here_.swap(below_);
     std::fill(below_.begin(), below_.end(), 0.0);
   }
   std::uint16_t operator()(std::uint32_t x, double value) {
-    const double wanted = value * top_ + (diffuse_ ? here_[x + 1] : 0);
+    const double wanted = value * top_ + here_[x + 1];
     const double level = std::clamp(std::floor(wanted + 0.5), 0.0, top_);
-    if (diffuse_) spread(x, wanted - level);
+    spread(x, wanted - level);
     return static_cast<std::uint16_t>(level);
   }
 
@@ -43,9 +43,28 @@ class Quantizer {
     below_[x + 2] += error / 16;
   }
   double top_;
-  bool diffuse_;
   std::vector<double> here_, below_;
 };
+
+/// Fills the values of `out` row by row: value(v, x, channel) for the colours.
+template <class RowStart, class Value>
+void fill(EncodedImage& out, const Image& image, RowStart&& row_start, Value&& value) {
+  const double top = (1u << out.bits) - 1;
+  out.values.reserve(image.pixels.size() * out.channels);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    row_start();
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      const std::size_t at = std::size_t{y} * image.width + x;
+      const Color c = image.pixels[at];
+      out.values.push_back(value(c.r, x, 0));
+      out.values.push_back(value(c.g, x, 1));
+      out.values.push_back(value(c.b, x, 2));
+      if (out.channels < 4) continue;
+      const double alpha = image.alpha.empty() ? 1.0 : clip(image.alpha[at]);
+      out.values.push_back(static_cast<std::uint16_t>(std::floor(alpha * top + 0.5)));
+    }
+  }
+}
 
 }  // namespace
 
@@ -79,23 +98,19 @@ EncodedImage encode(const Image& image, const Settings& settings, const DisplayO
   out.bits = std::clamp<std::uint32_t>(options.bits, 1, 16);
   out.gamma = options.file_gamma;
   out.gamma_known = settings.gamma_correction;
-  out.values.reserve(image.pixels.size() * out.channels);
   const double top = (1u << out.bits) - 1;
-  std::vector<Quantizer> quantizers(3, Quantizer(image.width, top, options.dither));
-  Quantizer quantize_alpha(0, top, false);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (Quantizer& q : quantizers) q.next_row();
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      const Color c = image.at(x, y);
-      const float parts[3] = {c.r, c.g, c.b};
-      for (int k = 0; k < 3; ++k) {
-        out.values.push_back(quantizers[k](x, encode_value(parts[k], settings, options)));
-      }
-      if (!options.alpha) continue;
-      const std::size_t at = std::size_t{y} * image.width + x;
-      const double alpha = image.alpha.empty() ? 1.0 : clip(image.alpha[at]);
-      out.values.push_back(quantize_alpha(0, alpha));
-    }
+  const auto exact = [&](float v) { return encode_value(v, settings, options); };
+  if (options.dither) {
+    std::vector<Diffuser> channels(3, Diffuser(image.width, top));
+    const auto next_row = [&] {
+      for (Diffuser& d : channels) d.next_row();
+    };
+    fill(out, image, next_row,
+         [&](float v, std::uint32_t x, int k) { return channels[k](x, exact(v)); });
+  } else {
+    const TransferCurve curve(exact, top);
+    fill(
+        out, image, [] {}, [&](float v, std::uint32_t, int) { return curve.level(v); });
   }
   return out;
 }

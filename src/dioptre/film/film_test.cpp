@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include "dioptre/film/antialias.h"
 #include "dioptre/film/camera_rays.h"
 #include "dioptre/film/display.h"
+#include "dioptre/film/transfer_curve.h"
 
 namespace dioptre {
 namespace {
@@ -194,6 +196,27 @@ TEST(Display, DitheringKeepsTheMean) {
   double sum = 0;
   for (const std::uint16_t v : encode(image, {}, options).values) sum += v;
   EXPECT_NEAR(sum / (64 * 64 * 3), 0.3003 * 255, 0.02);
+}
+
+TEST(Display, TransferCurvesAreTheirCurveRounded) {
+  const std::vector<std::function<double(float)>> curves = {
+      [](float v) { return double{v}; },
+      [](float v) { return srgb_encode(v); },
+      [](float v) { return std::pow(v, 1 / 2.2); },
+      [](float v) { return srgb_encode(static_cast<float>(std::pow(v, 2.2))); },
+  };
+  for (const auto& exact : curves) {
+    for (const double top : {1.0, 255.0, 1023.0, 65535.0}) {
+      const TransferCurve curve(exact, top);
+      for (int i = 0; i <= 200000; ++i) {
+        const float v = i % 2 ? i / 200000.0f : std::exp2(-i / 8000.0f);
+        ASSERT_EQ(curve.level(v), std::floor(exact(v) * top + 0.5)) << v << " of " << top;
+      }
+      EXPECT_EQ(curve.level(2), top);
+      EXPECT_EQ(curve.level(-1), 0);
+      EXPECT_EQ(curve.level(std::numeric_limits<float>::quiet_NaN()), 0);
+    }
+  }
 }
 
 TEST(Display, TheSrgbCurveIsUndoneByItsInverse) {
