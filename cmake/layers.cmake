@@ -28,6 +28,18 @@ function(dioptre_layer name)
   endforeach()
 endfunction()
 
+# A layer that is a module, opened by the program when it needs it. It uses the headers of the layers
+# below alone.
+function(dioptre_module name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/dioptre/${name}/*.cpp)
+  add_library(dioptre_${name} MODULE ${sources})
+  target_link_libraries(dioptre_${name} PRIVATE dioptre_flags ${ARG_LIBRARIES})
+  set_target_properties(dioptre_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_dependencies(dioptre_io dioptre_${name})
+  install(TARGETS dioptre_${name} LIBRARY DESTINATION lib/dioptre)
+endfunction()
+
 function(dioptre_layer_tests)
   foreach(line ${DIOPTRE_LAYER_LINES})
     string(REGEX MATCH "^[a-z]+" name ${line})

@@ -20,7 +20,15 @@ struct DecodedImage {
 };
 
 /// Refuses sizes of 0 or above the limit, before anything is allocated.
-Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels);
+inline Result<void> check_image_size(std::uint64_t width, std::uint64_t height,
+                                     std::uint64_t max_pixels) {
+  if (width == 0 || height == 0) return fail("the header says that it has no pixels");
+  if (width > max_pixels || height > max_pixels / width) {
+    return fail("the header says " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels, more than the limit of " + std::to_string(max_pixels));
+  }
+  return {};
+}
 
 /// The decoders. Each takes the bytes of a whole file of its format, and gives the reason of a
 /// failure without the name of the file.

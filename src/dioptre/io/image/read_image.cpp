@@ -112,15 +112,6 @@ void linearize(ImageData& data, DecodedImage::Curve curve, double gamma) {
 
 }  // namespace
 
-Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::uint64_t max_pixels) {
-  if (width == 0 || height == 0) return fail("the header says that it has no pixels");
-  if (width > max_pixels || height > max_pixels / width) {
-    return fail("the header says " + std::to_string(width) + " x " + std::to_string(height) +
-                " pixels, more than the limit of " + std::to_string(max_pixels));
-  }
-  return {};
-}
-
 Result<ImageData> read_image(const std::string& path, const ReadImageOptions& options) {
   if (options.gamma && !(*options.gamma > 0 && std::isfinite(*options.gamma))) {
     return cannot_read(path, "the gamma must be a positive number");

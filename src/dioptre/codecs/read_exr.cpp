@@ -9,9 +9,9 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "dioptre/io/image/decoders.h"
+#include "dioptre/codecs/codecs.h"
 
-namespace dioptre {
+namespace dioptre::codecs {
 namespace {
 
 /// An OpenEXR stream over bytes in memory.
@@ -82,4 +82,4 @@ Result<DecodedImage> decode_exr(std::string_view bytes, std::uint64_t max_pixels
   }
 }
 
-}  // namespace dioptre
+}  // namespace dioptre::codecs

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <vector>
 
-#include "dioptre/io/image/decoders.h"
+#include "dioptre/codecs/codecs.h"
 
-namespace dioptre {
+namespace dioptre::codecs {
 namespace {
 
 /// A TIFF file in memory, for libtiff's callbacks.
@@ -129,4 +129,4 @@ Result<DecodedImage> decode_tiff(std::string_view bytes, std::uint64_t max_pixel
   return image;
 }
 
-}  // namespace dioptre
+}  // namespace dioptre::codecs
