@@ -12,23 +12,29 @@ namespace dioptre {
 /// The largest degree that polynomial_roots takes.
 inline constexpr std::size_t kMaxDegree = 35;
 
-/// Where a polynomial changes its sign, in order.
+/// Where a polynomial changes its sign, in order. Only the first `count` entries are set.
 struct PolynomialRoots {
   std::size_t count = 0;
-  std::array<double, kMaxDegree> t{};
-  std::array<double, kMaxDegree> error{};  ///< a bound on the distance to the true root
+  std::array<double, kMaxDegree> t;
+  std::array<double, kMaxDegree> error;  ///< a bound on the distance to the true root
+  bool starts_negative = false;          ///< the sign before the first of them; 0 is positive
 };
 
-/// The sign changes of c[0] + c[1] t + ... + c[n] t^n inside a finite interval, n <= kMaxDegree.
-/// Between two neighbouring extrema a polynomial is monotone: the extrema are the roots of the
-/// derivative, found the same way, and a bracketed Newton iteration finds the root between them.
+/// The sign changes of c[0] + c[1] t + ... + c[n] t^n, n <= kMaxDegree, with
+/// wanted.min < t < wanted.max and within [-1, 1]; at most the first `most` of them.
 /// Touching roots without a change of sign are left out. Nothing for coefficients that are not
 /// finite.
-PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval interval);
+///
+/// The polynomial is brought to the Bernstein basis, where it has at most as many roots as its
+/// coefficients change sign, and halved until each piece has one root or none (J. Lane and
+/// R. Riesenfeld, "Bounds on a polynomial", BIT 21, 1981); a bracketed Newton iteration follows.
+PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval wanted,
+                                 std::size_t most = kMaxDegree);
 
-/// A bound on the size of all real roots: 2 max |c[n-k] / c[n]|^(1/k) (M. Fujiwara, "Ueber die
-/// obere Schranke des absoluten Betrages der Wurzeln einer algebraischen Gleichung", 1916). It
-/// scales with the roots; infinite for the zero polynomial.
-double root_bound(std::span<const double> coefficients);
+/// The exponent e of a power of two that is above the size of all real roots, after
+/// 2 max |c[n-k] / c[n]|^(1/k) (M. Fujiwara, "Ueber die obere Schranke des absoluten Betrages der
+/// Wurzeln einer algebraischen Gleichung", 1916); at most 2 too large. The last coefficient is not
+/// 0.
+int root_bound_exponent(std::span<const double> coefficients);
 
 }  // namespace dioptre

@@ -10,58 +10,72 @@
 namespace dioptre {
 namespace {
 
-/// A polynomial in the ray's parameter.
+/// A polynomial in the ray's parameter. Coefficients beyond the degree are not set.
 struct Univariate {
-  std::array<double, kMaxDegree + 1> c{};
-  std::size_t degree = 0;
+  std::array<double, kMaxDegree + 1> c;
+  int degree = -1;  ///< -1: the zero polynomial
 
-  /// this * (a + b t) + constant, in place.
-  void step(double a, double b, double constant) {
+  /// this * (a + b t), in place.
+  void step(double a, double b) {
+    if (degree < 0) return;
     ++degree;
-    c[degree] = 0;
-    for (std::size_t k = degree; k > 0; --k) c[k] = c[k] * a + c[k - 1] * b;
-    c[0] = c[0] * a + constant;
+    c[degree] = c[degree - 1] * b;
+    for (int k = degree - 1; k > 0; --k) c[k] = c[k] * a + c[k - 1] * b;
+    c[0] *= a;
+  }
+  void add(double constant) {
+    if (degree < 0) c[degree = 0] = 0;
+    c[0] += constant;
   }
   void add(const Univariate& other) {
-    for (std::size_t k = degree + 1; k <= other.degree; ++k) c[k] = 0;
+    const int common = std::min(degree, other.degree);
+    for (int k = 0; k <= common; ++k) c[k] += other.c[k];
+    for (int k = common + 1; k <= other.degree; ++k) c[k] = other.c[k];
     degree = std::max(degree, other.degree);
-    for (std::size_t k = 0; k <= other.degree; ++k) c[k] += other.c[k];
+  }
+  std::span<const double> coefficients() const {
+    return {c.data(), static_cast<std::size_t>(degree + 1)};
   }
 };
 
 class PreparedPoly final : public Shape {
  public:
-  explicit PreparedPoly(const Poly& poly) : order_(poly.order), coefficients_(poly.coefficients) {}
+  explicit PreparedPoly(const Poly& poly) : order_(static_cast<int>(poly.order)) {
+    const double* c = poly.coefficients.data();
+    for (int i = order_; i >= 0; --i) {
+      for (int j = order_ - i; j >= 0; --j) {
+        std::span<const double> row(c, static_cast<std::size_t>(order_ - i - j + 1));
+        c += row.size();
+        while (!row.empty() && row.front() == 0) row = row.subspan(1);
+        const auto first = static_cast<std::uint32_t>(coefficients_.size());
+        coefficients_.insert(coefficients_.end(), row.begin(), row.end());
+        rows_.push_back({first, static_cast<std::uint32_t>(row.size())});
+      }
+    }
+  }
 
   Bounds bounds() const override { return Bounds::all(); }
   bool contains(Vec3 p) const override { return jet(p).value <= 0; }
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
-    const double shift = closest_approach(ray, {});
-    if (!std::isfinite(shift)) return false;
-    const Ray near{ray.at(shift), ray.direction};
-    Univariate along = restrict_to(near);
-    const double reach = rescale(along);
-    const std::span<const double> c(along.c.data(), along.degree + 1);
-    if (!(reach > 0) || !std::isfinite(reach)) return c[0] <= 0;
-
-    // All roots lie in s in [-1, 1], where t = shift + reach s.
-    const PolynomialRoots roots = polynomial_roots(c, {-1, 1});
-    bool state = roots.count % 2 == 0 ? value_at(c, 1) <= 0 : value_at(c, 1) > 0;
-    bool inside = state;
-    const double misplaced = shift_error(ray, shift) * length(ray.direction);
+    Along along;
+    if (!restrict_to(ray, along)) return false;
+    const PolynomialRoots roots = solve(along, range, kMaxDegree);
+    bool inside = roots.starts_negative;
     for (std::size_t i = 0; i < roots.count; ++i) {
-      const double t = roots.t[i] * reach + shift;
-      state = !state;
-      if (t <= range.min) inside = state;
-      if (!range.surrounds(t)) continue;
-      const double moved =
-          roots.error[i] * reach + 2 * kRounding * (std::fabs(t) + std::fabs(shift));
-      out.push_back({.t = t,
-                     .error = moved + position_error(near, roots.t[i] * reach, misplaced),
-                     .entering = state});
+      inside = !inside;
+      out.push_back(crossing(along, roots, i, inside));
     }
-    return inside;
+    return roots.starts_negative;
+  }
+
+  bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
+    Along along;
+    if (!restrict_to(ray, along)) return false;
+    const PolynomialRoots roots = solve(along, range, 1);
+    if (roots.count == 0) return false;
+    out = crossing(along, roots, 0, !roots.starts_negative);
+    return true;
   }
 
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
@@ -79,19 +93,75 @@ class PreparedPoly final : public Shape {
     Vec3 gradient;
   };
 
-  /// Horner's scheme in x, y and z at once, in the order in which the coefficients are stored.
-  Jet jet(Vec3 p) const {
-    const double* c = coefficients_.data();
-    Jet in_x;
+  /// The stretch of a ray around the origin where all crossings lie: t = shift + reach s with s in
+  /// [-1, 1].
+  struct Along {
+    Univariate in_s;
+    Ray near;  ///< the ray from its point nearest to the origin
+    double shift, reach;
+    double misplaced;  ///< a bound on the error of that point
+  };
+
+  /// The coefficients of one power of x and one of y, from the highest power of z that counts.
+  struct Row {
+    std::uint32_t first, count;
+  };
+
+  /// False where the ray meets nothing because its numbers are not finite.
+  bool restrict_to(const Ray& ray, Along& along) const {
+    along.shift = closest_approach(ray, {});
+    if (!std::isfinite(along.shift)) return false;
+    along.near = {ray.at(along.shift), ray.direction};
+    along.misplaced = shift_error(ray, along.shift) * length(ray.direction);
+    along.in_s = restricted(along.near);
+    along.reach = rescale(along.in_s);
+    return std::isfinite(along.reach);
+  }
+
+  static PolynomialRoots solve(const Along& along, Interval range, std::size_t most) {
+    const Interval wanted{(range.min - along.shift) / along.reach,
+                          (range.max - along.shift) / along.reach};
+    return polynomial_roots(along.in_s.coefficients(), wanted, most);
+  }
+
+  Crossing crossing(const Along& along, const PolynomialRoots& roots, std::size_t i,
+                    bool entering) const {
+    const double from_near = roots.t[i] * along.reach, t = from_near + along.shift;
+    const double moved =
+        roots.error[i] * along.reach + 2 * kRounding * (std::fabs(t) + std::fabs(along.shift));
+    return {.t = t,
+            .error = moved + position_error(along.near, from_near, along.misplaced),
+            .entering = entering};
+  }
+
+  /// Calls row(coefficients) for each row, from the highest powers down, and next_y and next_x
+  /// where the power of y or x goes down by one: Horner's scheme in three variables.
+  template <class RowOf, class NextY, class NextX>
+  void walk(RowOf&& row_of, NextY&& next_y, NextX&& next_x) const {
+    const Row* row = rows_.data();
     for (int i = order_; i >= 0; --i) {
-      Jet in_y;
-      for (int j = order_ - i; j >= 0; --j) {
-        Jet in_z;
-        for (int k = order_ - i - j; k >= 0; --k) in_z = multiply_add(in_z, p.z, 2, *c++);
-        in_y = add(multiply_add(in_y, p.y, 1, 0), in_z);
+      for (int j = order_ - i; j >= 0; --j, ++row) {
+        row_of(std::span<const double>(coefficients_.data() + row->first, row->count));
+        if (j > 0) next_y();
       }
-      in_x = add(multiply_add(in_x, p.x, 0, 0), in_y);
+      next_x(i > 0);
     }
+  }
+
+  Jet jet(Vec3 p) const {
+    Jet in_x, in_y;
+    walk(
+        [&](std::span<const double> row) {
+          Jet in_z;
+          for (const double c : row) in_z = multiply_add(in_z, p.z, 2, c);
+          in_y = add(in_y, in_z);
+        },
+        [&] { in_y = multiply_add(in_y, p.y, 1, 0); },
+        [&](bool more) {
+          in_x = add(in_x, in_y);
+          in_y = {};
+          if (more) in_x = multiply_add(in_x, p.x, 0, 0);
+        });
     return in_x;
   }
   static Jet multiply_add(Jet j, double x, std::size_t axis, double constant) {
@@ -103,44 +173,40 @@ class PreparedPoly final : public Shape {
   static Jet add(Jet a, const Jet& b) { return {a.value + b.value, a.gradient + b.gradient}; }
 
   /// The polynomial along a ray, by the same scheme over polynomials in t.
-  Univariate restrict_to(const Ray& ray) const {
+  Univariate restricted(const Ray& ray) const {
     const Vec3 o = ray.origin, d = ray.direction;
-    const double* c = coefficients_.data();
-    Univariate in_x;
-    for (int i = order_; i >= 0; --i) {
-      Univariate in_y;
-      for (int j = order_ - i; j >= 0; --j) {
-        Univariate in_z;
-        in_z.c[0] = *c++;
-        for (int k = order_ - i - j - 1; k >= 0; --k) in_z.step(o.z, d.z, *c++);
-        if (j < order_ - i) in_y.step(o.y, d.y, 0);
-        in_y.add(in_z);
-      }
-      if (i < order_) in_x.step(o.x, d.x, 0);
-      in_x.add(in_y);
-    }
+    Univariate in_x, in_y;
+    walk(
+        [&](std::span<const double> row) {
+          Univariate in_z;
+          for (const double c : row) {
+            in_z.step(o.z, d.z);
+            in_z.add(c);
+          }
+          in_y.add(in_z);
+        },
+        [&] { in_y.step(o.y, d.y); },
+        [&](bool more) {
+          in_x.add(in_y);
+          in_y.degree = -1;
+          if (more) in_x.step(o.x, d.x);
+        });
     return in_x;
   }
 
-  static double value_at(std::span<const double> c, double t) {
-    double v = 0;
-    for (std::size_t k = c.size(); k-- > 0;) v = v * t + c[k];
-    return v;
-  }
-
   /// Substitutes t = reach s with a power of two that brings all roots into s in [-1, 1], and
-  /// scales the coefficients to at most 1.  Returns the reach; 0 if nothing depends on t.
+  /// scales the coefficients to at most 1. Returns the reach.
   static double rescale(Univariate& along) {
-    const double bound = root_bound({along.c.data(), along.degree + 1});
-    if (!(bound > 0) || !std::isfinite(bound)) return 0;
-    int exponent = 0;
-    std::frexp(bound, &exponent);
-    const int n = static_cast<int>(along.degree);
+    while (along.degree > 0 && along.c[along.degree] == 0) --along.degree;
+    const int n = along.degree;
+    if (n < 1) return 1;
+    for (int k = 0; k <= n; ++k) {
+      if (!std::isfinite(along.c[k])) return kInfinity;
+    }
+    const int exponent = root_bound_exponent(along.coefficients());
     int largest = -1 << 20;
     for (int k = 0; k <= n; ++k) {
-      int own = 0;
-      std::frexp(along.c[k], &own);
-      if (along.c[k] != 0) largest = std::max(largest, own + k * exponent);
+      if (along.c[k] != 0) largest = std::max(largest, std::ilogb(along.c[k]) + k * exponent + 1);
     }
     for (int k = 0; k <= n; ++k) along.c[k] = std::ldexp(along.c[k], k * exponent - largest);
     return std::ldexp(1.0, exponent);
@@ -158,22 +224,25 @@ class PreparedPoly final : public Shape {
 
   /// The value at |p| with all coefficients positive: what rounding is relative to.
   double magnitude(Vec3 p) const {
-    const double* c = coefficients_.data();
-    double in_x = 0;
-    for (int i = order_; i >= 0; --i) {
-      double in_y = 0;
-      for (int j = order_ - i; j >= 0; --j) {
-        double in_z = 0;
-        for (int k = order_ - i - j; k >= 0; --k) in_z = in_z * p.z + std::fabs(*c++);
-        in_y = in_y * p.y + in_z;
-      }
-      in_x = in_x * p.x + in_y;
-    }
+    double in_x = 0, in_y = 0;
+    walk(
+        [&](std::span<const double> row) {
+          double in_z = 0;
+          for (const double c : row) in_z = in_z * p.z + std::fabs(c);
+          in_y += in_z;
+        },
+        [&] { in_y *= p.y; },
+        [&](bool more) {
+          in_x += in_y;
+          in_y = 0;
+          if (more) in_x *= p.x;
+        });
     return in_x;
   }
 
   int order_;
-  std::vector<double> coefficients_;
+  std::vector<Row> rows_;             ///< in the order of Poly's coefficients
+  std::vector<double> coefficients_;  ///< leading zeros of each row left out
 };
 
 }  // namespace
