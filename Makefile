@@ -11,7 +11,7 @@ jobs ?= $(shell nproc)
 run: packages = build
 run: tests = OFF
 run: packages build
-	$(dioptre) +Iexamples/showcase.pov +Obuild/showcase.png +W960 +H720 +A0.2 -D
+	$(dioptre) +Iexamples/showcase.pov +Obuild/showcase.png +W800 +H600 +A0.3 -D
 	@echo "The picture: build/showcase.png"
 
 # Every test there is.

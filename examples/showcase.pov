@@ -2,7 +2,7 @@
 // A lighthouse lens on a table: rings of glass held in brass, all of it solids and what is left
 // when solids are taken from solids.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 8 adc_bailout 0.01 }
+global_settings { assumed_gamma 1 max_trace_level 7 adc_bailout 0.02 }
 
 camera {
   location <-1.8, 4.6, -14>
@@ -14,10 +14,10 @@ camera {
 // ---- Light: a broad window on the left, a faint one behind, and the lamp inside the lens.
 
 light_source {
-  <-9, 13, -9> rgb <1.05, 0.98, 0.88>
-  area_light <4, 0, -4>, <0, 4, 0>, 9, 9 adaptive 1
+  <-9, 13, -9> rgb <1.75, 1.55, 1.3>
+  area_light <4, 0, -4>, <0, 4, 0>, 5, 5 adaptive 1
 }
-light_source { <12, 7, 9> rgb <0.20, 0.26, 0.40> shadowless }
+light_source { <12, 7, 9> rgb <0.30, 0.40, 0.62> shadowless }
 light_source {
   <0, 2.1, 0> rgb <1.5, 1.1, 0.55>
   fade_distance 2.2 fade_power 2
@@ -30,12 +30,12 @@ sphere {
   pigment {
     gradient y
     color_map {
-      [0.46 rgb <0.010, 0.012, 0.020>]
-      [0.50 rgb <0.34, 0.15, 0.07>]
-      [0.53 rgb <0.40, 0.22, 0.13>]
-      [0.58 rgb <0.15, 0.14, 0.18>]
-      [0.70 rgb <0.035, 0.055, 0.10>]
-      [1.00 rgb <0.02, 0.03, 0.06>]
+      [0.485 rgb <0.020, 0.030, 0.055>]
+      [0.500 rgb <0.95, 0.42, 0.14>]
+      [0.515 rgb <0.90, 0.52, 0.26>]
+      [0.545 rgb <0.42, 0.34, 0.36>]
+      [0.620 rgb <0.10, 0.16, 0.30>]
+      [1.000 rgb <0.01, 0.02, 0.06>]
     }
     translate -0.5*y scale 120
   }

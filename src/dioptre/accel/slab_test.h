@@ -59,12 +59,21 @@ class SlabRay {
 
   /// Whether the ray meets the box within `range`; `entry` is then a lower bound on where.
   bool meets(const SlabBox& box, const Interval& range, double& entry) const {
+    Interval within = range;
+    const bool met = clip(box, within);
+    entry = within.min;
+    return met;
+  }
+
+  /// Cuts `range` to a stretch that holds all of the box; false if nothing is left.
+  bool clip(const SlabBox& box, Interval& range) const {
     const double near = latest(time(box, 0, near_), time(box, 1, near_), time(box, 2, near_));
     const double far = -latest(-time(box, 0, far_), -time(box, 1, far_), -time(box, 2, far_));
     const double begin = near * (1 - std::copysign(kMargin, near));
     const double end = far * (1 + std::copysign(kMargin, far));
-    entry = begin > range.min ? begin : range.min;
-    return entry <= (end < range.max ? end : range.max);
+    if (begin > range.min) range.min = begin;
+    if (end < range.max) range.max = end;
+    return range.min <= range.max;
   }
 
   /// The same for two boxes: bit 0 says that the ray meets the first, bit 1 the second.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dioptre/core/newton.h"
+
 namespace dioptre {
 namespace {
 
@@ -126,27 +128,13 @@ class Search {
     const double high = sign < 0 ? -piece.low : piece.high;
     const bool rises = negative_at_low == (sign > 0);
     const double share = piece.b[0] / (piece.b[0] - piece.b[degree()]);
-    const double t = zero_between(low, high, sign < 0 ? 1 - share : share, rises);
+    const double t = bracketed_newton(
+        [this](double at, double& value, double& slope) { evaluate(at, value, slope); }, low, high,
+        low + (sign < 0 ? 1 - share : share) * (high - low), rises);
     if (!wanted_.surrounds(t)) return;
     if (roots_.count == 0) roots_.starts_negative = rises;
     roots_.t[roots_.count] = t;
     roots_.error[roots_.count++] = error_at(t);
-  }
-
-  /// The zero between low and high: Newton steps, halving where a step leaves the bracket.
-  double zero_between(double low, double high, double share, bool rises) const {
-    double t = low + share * (high - low);
-    if (!(t > low && t < high)) t = 0.5 * (low + high);
-    for (int i = 0; i < 100; ++i) {
-      double v, s;
-      evaluate(t, v, s);
-      ((v >= 0) == rises ? high : low) = t;
-      double next = t - v / s;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::fabs(next - t) <= 0x1p-52 * std::fabs(t)) return next;
-      t = next;
-    }
-    return t;
   }
 
   /// A bound on the error of a root: of the first order where the slope is steep, of the second

@@ -120,6 +120,8 @@ class BoundsPass {
       if (!interest.empty()) surfaces = unite(surfaces, interest);
       sort_in(i, interest);
     }
+    std::stable_sort(out_.required.begin(), out_.required.end(),
+                     [&](auto a, auto b) { return out_.placed[a].cost() < out_.placed[b].cost(); });
     out_.solid = extents_[0].solid;
     out_.bounds = extents_[0].truth ? root : part(surfaces, root);
     out_.extent = SlabBox(out_.bounds);

@@ -41,7 +41,7 @@ struct Compiled {
   std::vector<PlacedLeaf> placed;       ///< by index in the description
   std::vector<CompiledLeaf> leaves;     ///< the same
   std::vector<CompiledNode> nodes;      ///< the root first
-  std::vector<std::uint32_t> required;  ///< leaves without which nothing is inside or visible
+  std::vector<std::uint32_t> required;  ///< without which nothing is inside; the cheap ones first
   std::vector<std::uint32_t> optional;  ///< the other leaves that can change the answer
   BoundingVolumeHierarchy hierarchy;    ///< over `optional`, if they are many
   std::int32_t only_leaf = kNone;       ///< set if the tree is just this leaf

@@ -156,8 +156,8 @@ TEST_P(RandomSolids, AHierarchyChangesNothing) {
       const SlabRay slabs(ray);
       Scratch one, two;
       const Interval range{random.between(-2, 2), 8};
-      ASSERT_EQ(Sweep(few, one, ray, slabs, range).run(true),
-                Sweep(many, two, ray, slabs, range).run(true));
+      ASSERT_EQ(Sweep(few, one, ray, slabs, range, range).run(true),
+                Sweep(many, two, ray, slabs, range, range).run(true));
       ASSERT_EQ(one.passed.size(), two.passed.size()) << "trial " << trial << " ray " << i;
       for (std::size_t k = 0; k < one.passed.size(); ++k) {
         EXPECT_EQ(one.passed[k].t, two.passed[k].t);
@@ -308,7 +308,8 @@ TEST(ManyLeaves, AThousandBlocksLessAThousandBalls) {
     const Ray ray = random.ray(7);
     const SlabRay slabs(ray);
     Scratch scratch;
-    Sweep(few, scratch, ray, slabs, {0, kInfinity}).run(true);
+    const Interval range{0, kInfinity};
+    Sweep(few, scratch, ray, slabs, range, range).run(true);
     Crossing nearest;
     ASSERT_EQ(solid->nearest(ray, {0, kInfinity}, nearest), !scratch.passed.empty());
     if (!scratch.passed.empty()) {

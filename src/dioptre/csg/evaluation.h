@@ -89,9 +89,10 @@ class Truth {
 /// The walk along one ray: leaves are opened, and their events swept in order of t.
 class Sweep {
  public:
-  /// `slabs` is made of `ray`; all must outlive the walk.
+  /// `slabs` is made of `ray`, `within` is the part of the range in the tree's extent; all must
+  /// outlive the walk.
   Sweep(const Compiled& tree, Scratch& scratch, const Ray& ray, const SlabRay& slabs,
-        Interval range);
+        Interval range, Interval within);
 
   /// Appends what the root lets through to scratch.passed, in order of t, up to the first visible
   /// crossing or, with `all`, to the end. Returns whether the ray is inside just after range.min.

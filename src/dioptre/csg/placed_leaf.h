@@ -18,6 +18,7 @@ class PlacedLeaf {
   /// Whether what lies outside `bounds` is inside the leaf.
   bool outside() const { return outside_; }
   bool solid() const { return leaf_.shape->solid(); }
+  double cost() const { return leaf_.shape->cost(); }
   /// A box around the part of the inside that lies in a region of world space; for a leaf that is
   /// true outside its bounds, around the part of its surface.
   Bounds bounds_within(const Bounds& region) const;

@@ -7,12 +7,20 @@
 namespace dioptre::csg {
 namespace {
 
-/// Leaves are asked this much beyond the range, relative to t, so that faces that coincide at its
-/// end are seen together.
+/// Leaves are asked this much beyond a range, relative to the numbers that t came from, so that
+/// faces that coincide at its end are seen together.
 constexpr double kRangeMargin = 1e-9;
 
 double before(double t) { return t - kRangeMargin * std::fabs(t); }
 double after(double t) { return t < kInfinity ? t + kRangeMargin * std::fabs(t) : t; }
+
+/// Where leaves are asked: nothing is inside or visible outside of `within`.
+Interval window(const Ray& ray, Interval range, Interval within) {
+  const double margin =
+      kRangeMargin * max_component(abs(ray.origin)) / max_component(abs(ray.direction));
+  return {std::max(range.min, before(within.min) - margin),
+          std::min(after(range.max), after(within.max) + margin)};
+}
 
 /// The scratches of one thread: those in use first.
 struct ScratchStack {
@@ -36,13 +44,13 @@ ScratchLease::ScratchLease() {
 ScratchLease::~ScratchLease() { --scratch_stack().used; }
 
 Sweep::Sweep(const Compiled& tree, Scratch& scratch, const Ray& ray, const SlabRay& slabs,
-             Interval range)
+             Interval range, Interval within)
     : tree_(tree),
       scratch_(scratch),
       ray_(ray),
       slabs_(slabs),
       range_(range),
-      window_{range.min, after(range.max)},
+      window_(window(ray, range, within)),
       truth_(tree, scratch) {
   scratch_.crossings.clear();
   scratch_.heap.clear();
@@ -95,12 +103,13 @@ bool Sweep::open_required() {
   return true;
 }
 
-/// Asks a leaf for its events. Those before the place already swept come too late to matter: its
-/// bounds of interest begin later.
+/// Asks a leaf for its events in the window: before it, nothing is inside whatever this leaf is.
+/// Those before the place already swept come too late to matter: its bounds of interest begin
+/// later.
 void Sweep::open(std::uint32_t leaf) {
   Crossings& crossings = scratch_.crossings;
   auto i = static_cast<std::uint32_t>(crossings.size());
-  bool inside = tree_.placed[leaf].crossings(ray_, {range_.min, window_.max}, leaf, crossings);
+  bool inside = tree_.placed[leaf].crossings(ray_, window_, leaf, crossings);
   if (tree_.leaves[leaf].sheet) inside = tree_.leaves[leaf].outside;
   for (; i < crossings.size(); ++i) {
     const Crossing& crossing = crossings[i];

@@ -44,18 +44,20 @@ class Tree final : public Shape {
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
     const SlabRay slabs(ray);
-    if (!meets(slabs, range)) return false;
+    Interval within = range;
+    if (!slabs.clip(compiled_.extent, within)) return false;
     const ScratchLease scratch;
-    const bool inside = Sweep(compiled_, *scratch, ray, slabs, range).run(true);
+    const bool inside = Sweep(compiled_, *scratch, ray, slabs, range, within).run(true);
     out.insert(out.end(), (*scratch).passed.begin(), (*scratch).passed.end());
     return inside;
   }
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     const SlabRay slabs(ray);
-    if (!meets(slabs, range)) return false;
+    Interval within = range;
+    if (!slabs.clip(compiled_.extent, within)) return false;
     const ScratchLease scratch;
-    Sweep(compiled_, *scratch, ray, slabs, range).run(false);
+    Sweep(compiled_, *scratch, ray, slabs, range, within).run(false);
     for (const Crossing& crossing : (*scratch).passed) {
       if (!crossing.visible) continue;
       out = crossing;
@@ -89,11 +91,6 @@ class Tree final : public Shape {
   }
 
  private:
-  bool meets(const SlabRay& slabs, Interval range) const {
-    double entry = 0;
-    return slabs.meets(compiled_.extent, range, entry);
-  }
-
   Compiled compiled_;
 };
 

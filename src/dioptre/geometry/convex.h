@@ -31,6 +31,8 @@ struct ConvexSpan {
 template <class Derived>
 class ConvexShape : public Shape {
  public:
+  double cost() const override { return 1; }
+
   bool crossings(const Ray& ray, Interval range, Crossings& out) const final {
     ConvexSpan s;
     if (!derived().span(ray, s) || s.empty()) return false;

@@ -52,6 +52,10 @@ class Shape {
 
   virtual bool solid() const { return true; }
 
+  /// How long a ray takes with this shape, in about the time that one takes with a sphere: where
+  /// several shapes are to be met, the cheap ones are asked first.
+  virtual double cost() const { return 10; }
+
   /// Appends the crossings with range.min < t < range.max to `out`, in order of t, and returns
   /// whether the ray is inside just after range.min. For a solid, the crossings' `entering`
   /// alternate from that state on. A tangent point is either absent or two crossings.

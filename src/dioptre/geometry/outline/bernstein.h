@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dioptre/core/newton.h"
+
 namespace dioptre {
 
 /// A sign change of a polynomial on [0,1]: where, and whether it goes up (from negative to not).
@@ -35,7 +37,7 @@ bool keeps_sign(const Bernstein<N>& b) {
   return negative == 0 || negative == N + 1;
 }
 
-/// Value and derivative in s of a polynomial in powers of s.
+/// Value and derivative of a polynomial in powers of s.
 template <std::size_t N>
 struct PowerBasis {
   std::array<double, N + 1> c{};
@@ -55,27 +57,19 @@ struct PowerBasis {
     return v;
   }
   double slope(double s) const {
-    double v = static_cast<double>(N) * c[N];
-    for (std::size_t k = N - 1; k > 0; --k) v = v * s + static_cast<double>(k) * c[k];
-    return v;
+    double v, slope;
+    evaluate(s, v, slope);
+    return slope;
+  }
+  void evaluate(double s, double& value, double& slope) const {
+    value = c[N];
+    slope = 0;
+    for (std::size_t k = N; k-- > 0;) {
+      slope = slope * s + value;
+      value = value * s + c[k];
+    }
   }
 };
-
-/// The point of [low, high] where a polynomial that is monotone there goes through zero: Newton
-/// steps, halving where a step leaves the bracket.
-template <std::size_t N>
-double root_between(const PowerBasis<N>& p, double low, double high, bool rises) {
-  double s = 0.5 * (low + high);
-  for (int i = 0; i < 80; ++i) {
-    const double value = p.value(s);
-    ((value >= 0) == rises ? high : low) = s;
-    double next = s - value / p.slope(s);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == s || std::fabs(next - s) <= 1e-17 || next <= low || next >= high) return next;
-    s = next;
-  }
-  return s;
-}
 
 /// Finds all sign changes: the polynomial is monotone between the sign changes of its derivative.
 template <std::size_t N>
@@ -97,7 +91,10 @@ SignChanges<N> sign_changes(const Bernstein<N>& b) {
       const double high = last ? 1 : turns.at[i].s;
       const bool negative_there = (last ? b[N] : p.value(high)) < 0;
       if (negative_there != negative) {
-        found.at[found.count++] = {root_between<N>(p, low, high, negative), negative};
+        const double root = bracketed_newton(
+            [&p](double s, double& value, double& slope) { p.evaluate(s, value, slope); }, low,
+            high, 0.5 * (low + high), negative);
+        found.at[found.count++] = {root, negative};
       }
       low = high;
       negative = negative_there;

@@ -16,6 +16,8 @@ class PreparedQuadric final : public Shape {
     return quadric_bounds_within(q_, region);
   }
 
+  double cost() const override { return 2; }
+
   bool contains(Vec3 p) const override { return value(p) <= 0; }
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {

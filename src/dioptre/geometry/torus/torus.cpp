@@ -26,6 +26,8 @@ class PreparedTorus final : public Shape {
     return {{-reach, -height, -reach}, {reach, height, reach}};
   }
 
+  double cost() const override { return 5; }
+
   bool contains(Vec3 p) const override { return field(p / scale_) <= 0; }
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
@@ -115,20 +117,15 @@ class PreparedTorus final : public Shape {
     }
   }
 
-  /// The zero of field() on a stretch where its sign changes once: Newton steps, halving where a
-  /// step leaves the bracket.
+  /// The zero of field() on a stretch where its sign changes once.
   double zero_between(Vec3 a, Vec3 b, double low, double high, bool falls) const {
-    double s = 0.5 * (low + high);
-    for (int i = 0; i < 80; ++i) {
-      const Vec3 p = a + s * b;
-      const double value = field(p);
-      ((value > 0) == falls ? low : high) = s;
-      double next = s - value / slope(p, b);
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::fabs(next - s) <= 0x1p-50 * s || next <= low || next >= high) return next;
-      s = next;
-    }
-    return s;
+    return bracketed_newton(
+        [&](double s, double& value, double& change) {
+          const Vec3 p = a + s * b;
+          value = field(p);
+          change = slope(p, b);
+        },
+        low, high, 0.5 * (low + high), !falls);
   }
 
   /// A bound on the error in s of a zero at p, whose place is off by `misplaced`: of the first
