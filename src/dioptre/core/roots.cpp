@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dioptre/core/isolate.h"
 #include "dioptre/core/newton.h"
 
 namespace dioptre {
 namespace {
-
-constexpr int kDeepest = 50;  ///< halvings; a piece is then as short as rounding
 
 using Row = std::array<double, kMaxDegree + 1>;
 
@@ -32,13 +31,6 @@ class InverseBinomials {
 };
 constexpr InverseBinomials kInverseBinomials;
 
-/// A part of the polynomial, s in [low, high], in the Bernstein basis.
-struct Piece {
-  double low, high;
-  int depth;
-  Row b;
-};
-
 /// One search. kDegree is the degree where the compiler may know it, else 0.
 template <std::size_t kDegree>
 class Search {
@@ -46,36 +38,27 @@ class Search {
   Search(std::span<const double> c, Interval wanted, std::size_t most, PolynomialRoots& roots)
       : c_(c), wanted_(wanted), most_(most), roots_(roots) {}
 
-  /// Looks at t = sign * s for s in [0, 1], where the halves meet at 0.
-  void half(double sign) {
-    Piece pieces[kDeepest + 2];
-    pieces[0].low = 0, pieces[0].high = 1, pieces[0].depth = 0;
-    to_bernstein(sign, pieces[0].b);
-    int count = 1;
-    while (count > 0 && roots_.count < most_) {
-      Piece& piece = pieces[count - 1];
-      // What is nearer to -1 comes first.
-      if (sign < 0 ? -piece.low <= wanted_.min || -piece.high >= wanted_.max
-                   : piece.high <= wanted_.min || piece.low >= wanted_.max) {
-        --count;
-        continue;
-      }
-      const std::size_t changes = sign_changes(piece.b);
-      if (changes > 1 && piece.depth < kDeepest) {
-        halve(piece, pieces[count], sign < 0);
-        ++count;
-        continue;
-      }
-      --count;
-      const bool at_low = piece.b[0] < 0, at_high = piece.b[degree()] < 0;
-      if (at_low != at_high) add(sign, piece, at_low);
-    }
+  /// Looks at t from `start` to start + 1: -1 to 0 or 0 to 1.
+  void half(double start) {
+    Row b;
+    to_bernstein(start < 0 ? -1 : 1, b);
+    if (start < 0) std::reverse(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(degree()) + 1);
+    isolate_sign_changes(
+        b, degree(),
+        [&](double low, double high) {
+          return start + high <= wanted_.min || start + low >= wanted_.max;
+        },
+        [&](double low, double high, double at_low, double at_high) {
+          add(start + low, start + high, at_low, at_high);
+          return roots_.count < most_;
+        });
   }
 
  private:
   std::size_t degree() const { return kDegree != 0 ? kDegree : c_.size() - 1; }
 
-  /// b[i] = sum of C(i,k) / C(n,k) c[k] over k, the binomials by repeated sums.
+  /// The polynomial in t = sign s on [0, 1]: b[i] = sum of C(i,k) / C(n,k) c[k] over k, the
+  /// binomials by repeated sums.
   void to_bernstein(double sign, Row& b) const {
     const std::size_t n = degree();
     const Row& inverse = kInverseBinomials.of(n);
@@ -84,33 +67,6 @@ class Search {
     for (std::size_t round = 1; round <= n; ++round) {
       for (std::size_t i = n; i >= round; --i) b[i] += b[i - 1];
     }
-  }
-
-  std::size_t sign_changes(const Row& b) const {
-    std::size_t changes = 0;
-    for (std::size_t i = 0; i < degree(); ++i) changes += (b[i] < 0) != (b[i + 1] < 0);
-    return changes;
-  }
-
-  /// De Casteljau's algorithm at the middle. `next`, to be looked at first, becomes the half on
-  /// the side of low, or of high if `high_first`.
-  void halve(Piece& piece, Piece& next, bool high_first) const {
-    const std::size_t n = degree();
-    const double middle = 0.5 * (piece.low + piece.high);
-    ++piece.depth;
-    next.depth = piece.depth;
-    Row lower, upper = piece.b;
-    for (std::size_t k = 0; k < n; ++k) {
-      lower[k] = upper[0];
-      for (std::size_t i = 0; i < n - k; ++i) upper[i] = 0.5 * (upper[i] + upper[i + 1]);
-    }
-    lower[n] = upper[0];
-    // The last of each round stays where it was: upper is now in order from the middle to high.
-    next.low = piece.low, next.high = piece.high;
-    (high_first ? next.low : next.high) = middle;
-    (high_first ? piece.high : piece.low) = middle;
-    std::copy_n((high_first ? upper : lower).begin(), n + 1, next.b.begin());
-    std::copy_n((high_first ? lower : upper).begin(), n + 1, piece.b.begin());
   }
 
   /// Value and slope at t (Horner's scheme).
@@ -123,14 +79,11 @@ class Search {
     }
   }
 
-  void add(double sign, const Piece& piece, bool negative_at_low) {
-    const double low = sign < 0 ? -piece.high : piece.low;
-    const double high = sign < 0 ? -piece.low : piece.high;
-    const bool rises = negative_at_low == (sign > 0);
-    const double share = piece.b[0] / (piece.b[0] - piece.b[degree()]);
+  void add(double low, double high, double at_low, double at_high) {
+    const bool rises = at_low < 0;
     const double t = bracketed_newton(
         [this](double at, double& value, double& slope) { evaluate(at, value, slope); }, low, high,
-        low + (sign < 0 ? 1 - share : share) * (high - low), rises);
+        low + at_low / (at_low - at_high) * (high - low), rises);
     if (!wanted_.surrounds(t)) return;
     if (roots_.count == 0) roots_.starts_negative = rises;
     roots_.t[roots_.count] = t;
@@ -165,7 +118,7 @@ template <std::size_t kDegree>
 void search(std::span<const double> c, Interval wanted, std::size_t most, PolynomialRoots& roots) {
   Search<kDegree> search(c, wanted, most, roots);
   if (wanted.min < 0) search.half(-1);
-  if (wanted.max > 0) search.half(1);
+  if (wanted.max > 0 && roots.count < most) search.half(0);
 }
 
 bool negative_at(std::span<const double> c, double t) {

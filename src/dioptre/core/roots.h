@@ -25,9 +25,7 @@ struct PolynomialRoots {
 /// Touching roots without a change of sign are left out. Nothing for coefficients that are not
 /// finite.
 ///
-/// The polynomial is brought to the Bernstein basis, where it has at most as many roots as its
-/// coefficients change sign, and halved until each piece has one root or none (J. Lane and
-/// R. Riesenfeld, "Bounds on a polynomial", BIT 21, 1981); a bracketed Newton iteration follows.
+/// The roots are isolated in the Bernstein basis; a bracketed Newton iteration follows.
 PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval wanted,
                                  std::size_t most = kMaxDegree);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "dioptre/core/isolate.h"
 #include "dioptre/core/newton.h"
 
 namespace dioptre {
@@ -71,35 +72,22 @@ struct PowerBasis {
   }
 };
 
-/// Finds all sign changes: the polynomial is monotone between the sign changes of its derivative.
+/// Finds all sign changes.
 template <std::size_t N>
 SignChanges<N> sign_changes(const Bernstein<N>& b) {
   SignChanges<N> found;
   if (keeps_sign<N>(b)) return found;
-  if constexpr (N == 1) {
-    found.at[0] = {b[0] / (b[0] - b[1]), b[0] < 0};
-    found.count = 1;
-  } else {
-    Bernstein<N - 1> derivative;
-    for (std::size_t i = 0; i < N; ++i) derivative[i] = b[i + 1] - b[i];
-    const SignChanges<N - 1> turns = sign_changes<N - 1>(derivative);
-    const PowerBasis<N> p(b);
-    double low = 0;
-    bool negative = b[0] < 0;
-    for (std::size_t i = 0; i <= turns.count; ++i) {
-      const bool last = i == turns.count;
-      const double high = last ? 1 : turns.at[i].s;
-      const bool negative_there = (last ? b[N] : p.value(high)) < 0;
-      if (negative_there != negative) {
+  const PowerBasis<N> p(b);
+  isolate_sign_changes(
+      b, N, [](double, double) { return false; },
+      [&](double low, double high, double at_low, double at_high) {
+        const bool rises = at_low < 0;
         const double root = bracketed_newton(
             [&p](double s, double& value, double& slope) { p.evaluate(s, value, slope); }, low,
-            high, 0.5 * (low + high), negative);
-        found.at[found.count++] = {root, negative};
-      }
-      low = high;
-      negative = negative_there;
-    }
-  }
+            high, low + at_low / (at_low - at_high) * (high - low), rises);
+        found.at[found.count++] = {root, rises};
+        return found.count < N;
+      });
   return found;
 }
 

@@ -91,41 +91,50 @@ class PreparedTorus final : public Shape {
     const double t0 = stretch.min - margin, step = stretch.max - stretch.min + 2 * margin;
     const Vec3 a = ray.at(t0) / scale_, b = (step / scale_) * ray.direction;
     if (!std::isfinite(step) || !is_finite(a) || !is_finite(b)) return;
+    const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
+    const auto add = [&](double low, double high, double start, bool entering) {
+      const double s = zero_between(a, b, low, high, start, entering);
+      const double t = t0 + s * step;
+      roots.at[roots.count++] = {.t = t,
+                                 .error = zero_error(a + s * b, b, misplaced) * step +
+                                          4 * kRounding * (std::fabs(t) + std::fabs(t0)),
+                                 .entering = entering};
+      return roots.count < 4 && !until.surrounds(t);
+    };
     const Bernstein<4> quartic = along(a, b);
-    if (minor_ <= major_ && keeps_sign<4>(quartic)) return;
-    // field() is zero where the quartic is (and, in a spindle, not at the quartic's inner lens), so
-    // it has at most one zero between neighbouring extrema of the quartic.
+    if (minor_ <= major_) {
+      isolate_sign_changes(
+          quartic, 4, [](double, double) { return false; },
+          [&](double low, double high, double at_low, double at_high) {
+            const double start = low + at_low / (at_low - at_high) * (high - low);
+            return add(low, high, start, at_low >= 0);
+          });
+      return;
+    }
+    // The quartic of a spindle is zero at its inner lens too, where field() is not. Between
+    // neighbouring extrema of the quartic field() has at most one zero.
     const auto turns = sign_changes<3>({quartic[1] - quartic[0], quartic[2] - quartic[1],
                                         quartic[3] - quartic[2], quartic[4] - quartic[3]});
-    const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
     double low = 0;
     bool outside = true;
     for (std::size_t i = 0; i <= turns.count; ++i) {
       const double high = i < turns.count ? turns.at[i].s : 1;
       const bool outside_there = i == turns.count || field(a + high * b) > 0;
-      if (outside_there != outside && roots.count < 4) {
-        const double s = zero_between(a, b, low, high, outside);
-        const double t = t0 + s * step;
-        roots.at[roots.count++] = {.t = t,
-                                   .error = zero_error(a + s * b, b, misplaced) * step +
-                                            4 * kRounding * (std::fabs(t) + std::fabs(t0)),
-                                   .entering = outside};
-        if (until.surrounds(t)) return;
-      }
+      if (outside_there != outside && !add(low, high, 0.5 * (low + high), outside)) return;
       low = high;
       outside = outside_there;
     }
   }
 
   /// The zero of field() on a stretch where its sign changes once.
-  double zero_between(Vec3 a, Vec3 b, double low, double high, bool falls) const {
+  double zero_between(Vec3 a, Vec3 b, double low, double high, double start, bool falls) const {
     return bracketed_newton(
         [&](double s, double& value, double& change) {
           const Vec3 p = a + s * b;
           value = field(p);
           change = slope(p, b);
         },
-        low, high, 0.5 * (low + high), !falls);
+        low, high, start, !falls);
   }
 
   /// A bound on the error in s of a zero at p, whose place is off by `misplaced`: of the first
