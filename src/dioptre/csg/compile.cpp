@@ -201,7 +201,11 @@ class BoundsPass {
   void sort_in(std::uint32_t index, const Bounds& interest) {
     const CompiledLeaf& leaf = out_.leaves[index];
     if (leaf.parent == 0 && is_conjunction(out_.nodes[0].operation) && !leaf.outside) {
-      out_.required.push_back(index);
+      if (const auto half = out_.placed[index].half_space()) {
+        out_.half_spaces.add(*half, index);
+      } else {
+        out_.required.push_back(index);
+      }
     } else if (!interest.empty()) {
       out_.optional.push_back(index);
     }

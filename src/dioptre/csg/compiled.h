@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dioptre/accel/bounding_volume_hierarchy.h"
+#include "dioptre/csg/half_spaces.h"
 #include "dioptre/csg/placed_leaf.h"
 #include "dioptre/csg/tree.h"
 
@@ -41,7 +42,8 @@ struct Compiled {
   std::vector<PlacedLeaf> placed;       ///< by index in the description
   std::vector<CompiledLeaf> leaves;     ///< the same
   std::vector<CompiledNode> nodes;      ///< the root first
-  std::vector<std::uint32_t> required;  ///< without which nothing is inside; the cheap ones first
+  HalfSpaces half_spaces;               ///< leaves without which nothing is inside
+  std::vector<std::uint32_t> required;  ///< more of these; the cheap ones first
   std::vector<std::uint32_t> optional;  ///< the other leaves that can change the answer
   BoundingVolumeHierarchy hierarchy;    ///< over `optional`, if they are many
   std::int32_t only_leaf = kNone;       ///< set if the tree is just this leaf

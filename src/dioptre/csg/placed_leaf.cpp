@@ -39,6 +39,16 @@ Bounds PlacedLeaf::bounds_within(const Bounds& region) const {
   return intersect(common, transform(inner, leaf_.placement.to_world));
 }
 
+std::optional<HalfSpace> PlacedLeaf::half_space() const {
+  std::optional<HalfSpace> half = leaf_.shape->half_space();
+  if (!half || !moved_) return leaf_.complement ? std::nullopt : half;
+  const Vec3 point = leaf_.placement.to_world.point(half->distance * half->normal);
+  half->normal = normalize(leaf_.placement.to_object.covector(half->normal));
+  half->distance = dot(point, half->normal);
+  if (leaf_.complement || !is_finite(half->normal) || !std::isfinite(half->distance)) return {};
+  return half;
+}
+
 bool PlacedLeaf::crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const {
   const std::size_t first = out.size();
   const bool inside = leaf_.shape->crossings(to_object(ray), range, out);

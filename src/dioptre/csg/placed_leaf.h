@@ -19,6 +19,8 @@ class PlacedLeaf {
   bool outside() const { return outside_; }
   bool solid() const { return leaf_.shape->solid(); }
   double cost() const { return leaf_.shape->cost(); }
+  /// In world space; none for a complement of one, too.
+  std::optional<HalfSpace> half_space() const;
   /// A box around the part of the inside that lies in a region of world space; for a leaf that is
   /// true outside its bounds, around the part of its surface.
   Bounds bounds_within(const Bounds& region) const;

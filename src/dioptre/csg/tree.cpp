@@ -74,9 +74,15 @@ class Tree final : public Shape {
       if (compiled_.leaves[leaf].sheet || !compiled_.leaves[leaf].interest.contains(p)) return;
       truth.set_leaf(leaf, compiled_.placed[leaf].contains(p));
     };
-    for (const std::uint32_t leaf : compiled_.required) {
+    const auto fails = [&](std::uint32_t leaf) {
       ask(leaf);
-      if (!truth.leaf(leaf)) return false;
+      return !truth.leaf(leaf);
+    };
+    for (std::size_t i = 0; i < compiled_.half_spaces.size(); ++i) {
+      if (fails(compiled_.half_spaces.leaf(i))) return false;
+    }
+    for (const std::uint32_t leaf : compiled_.required) {
+      if (fails(leaf)) return false;
     }
     if (compiled_.hierarchy.bounds().empty()) {
       for (const std::uint32_t leaf : compiled_.optional) ask(leaf);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dioptre/core/bounds.h"
@@ -35,6 +36,12 @@ struct Surface {
   Vec2 uv;              ///< surface coordinates in [0,1]^2 where the shape has them
 };
 
+/// The points p with dot(p, normal) <= distance; the normal is a unit vector.
+struct HalfSpace {
+  Vec3 normal;
+  double distance = 0;
+};
+
 /// A prepared primitive in its own space: immutable, shared by all threads.
 ///
 /// Rays may have a direction of any length, and any origin. A shape is a solid (it has an inside),
@@ -55,6 +62,9 @@ class Shape {
   /// How long a ray takes with this shape, in about the time that one takes with a sphere: where
   /// several shapes are to be met, the cheap ones are asked first.
   virtual double cost() const { return 10; }
+
+  /// The half-space that this shape is, if it is one.
+  virtual std::optional<HalfSpace> half_space() const { return std::nullopt; }
 
   /// Appends the crossings with range.min < t < range.max to `out`, in order of t, and returns
   /// whether the ray is inside just after range.min. For a solid, the crossings' `entering`

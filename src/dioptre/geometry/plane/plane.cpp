@@ -20,6 +20,7 @@ class PreparedPlane final : public ConvexShape<PreparedPlane> {
     return b;
   }
   bool contains(Vec3 p) const override { return dot(p, normal_) <= distance_; }
+  std::optional<HalfSpace> half_space() const override { return HalfSpace{normal_, distance_}; }
 
   bool span(const Ray& ray, ConvexSpan& out) const {
     const double slope = dot(ray.direction, normal_);

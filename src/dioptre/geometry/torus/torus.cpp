@@ -19,12 +19,12 @@ class PreparedTorus final : public Shape {
   explicit PreparedTorus(const Torus& torus)
       : scale_(std::max({torus.major_radius, torus.minor_radius, 1e-300})),
         major_(torus.major_radius / scale_),
-        minor_(torus.minor_radius / scale_) {}
-
-  Bounds bounds() const override {
+        minor_(torus.minor_radius / scale_) {
     const double reach = scale_ * (major_ + minor_), height = scale_ * minor_;
-    return {{-reach, -height, -reach}, {reach, height, reach}};
+    bounds_ = {{-reach, -height, -reach}, {reach, height, reach}};
   }
+
+  Bounds bounds() const override { return bounds_; }
 
   double cost() const override { return 5; }
 
@@ -32,8 +32,7 @@ class PreparedTorus final : public Shape {
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
     Roots roots;
-    find(ray, roots);
-    bool inside = false;
+    bool inside = find(ray, range, false, roots);
     for (std::size_t i = 0; i < roots.count; ++i) {
       if (roots.at[i].t <= range.min) inside = roots.at[i].entering;
       if (range.surrounds(roots.at[i].t)) out.push_back(roots.at[i]);
@@ -43,7 +42,7 @@ class PreparedTorus final : public Shape {
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     Roots roots;
-    find(ray, roots, range);
+    find(ray, range, true, roots);
     if (roots.count == 0 || !range.surrounds(roots.at[roots.count - 1].t)) return false;
     out = roots.at[roots.count - 1];
     return true;
@@ -82,48 +81,53 @@ class PreparedTorus final : public Shape {
     return 2 * ((across - major_) * outwards + p.y * d.y);
   }
 
-  /// Finds the crossings in order, up to the first one in `until`.
-  void find(const Ray& ray, Roots& roots, Interval until = {}) const {
-    const Interval stretch = clip(bounds(), ray, Interval::all());
-    if (!(stretch.min < stretch.max)) return;
-    // The stretch, a little widened so that its ends are outside, as s in [0, 1].
+  /// Finds the crossings in the range, or the first one if `first`, and some just before it.
+  /// Returns whether the ray is inside before them.
+  bool find(const Ray& ray, Interval range, bool first, Roots& roots) const {
+    const Interval stretch = clip(bounds_, ray, range);
+    if (!(stretch.min < stretch.max)) return false;
+    // The stretch, a little widened so that no crossing lies at its ends, as s in [0, 1].
     const double margin = 0x1p-20 * (stretch.max - stretch.min);
     const double t0 = stretch.min - margin, step = stretch.max - stretch.min + 2 * margin;
     const Vec3 a = ray.at(t0) / scale_, b = (step / scale_) * ray.direction;
-    if (!std::isfinite(step) || !is_finite(a) || !is_finite(b)) return;
-    const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
+    if (!std::isfinite(step) || !is_finite(a) || !is_finite(b)) return false;
+    const Bernstein<4> quartic = along(a, b);
     const auto add = [&](double low, double high, double start, bool entering) {
       const double s = zero_between(a, b, low, high, start, entering);
       const double t = t0 + s * step;
-      roots.at[roots.count++] = {.t = t,
-                                 .error = zero_error(a + s * b, b, misplaced) * step +
-                                          4 * kRounding * (std::fabs(t) + std::fabs(t0)),
-                                 .entering = entering};
-      return roots.count < 4 && !until.surrounds(t);
+      const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
+      const double error = zero_error(a + s * b, b, misplaced) * step +
+                           4 * kRounding * (std::fabs(t) + std::fabs(t0));
+      roots.at[roots.count++] = {.t = t, .error = error, .entering = entering};
+      return roots.count < 4 && !(first && range.surrounds(t));
     };
-    const Bernstein<4> quartic = along(a, b);
-    if (minor_ <= major_) {
-      isolate_sign_changes(
-          quartic, 4, [](double, double) { return false; },
-          [&](double low, double high, double at_low, double at_high) {
-            const double start = low + at_low / (at_low - at_high) * (high - low);
-            return add(low, high, start, at_low >= 0);
-          });
-      return;
-    }
-    // The quartic of a spindle is zero at its inner lens too, where field() is not. Between
-    // neighbouring extrema of the quartic field() has at most one zero.
+    if (minor_ > major_) return find_in_spindle(a, b, quartic, add);
+    isolate_sign_changes(
+        quartic, 4, [](double, double) { return false; },
+        [&](double low, double high, double at_low, double at_high) {
+          const double start = low + at_low / (at_low - at_high) * (high - low);
+          return add(low, high, start, at_low >= 0);
+        });
+    return quartic[0] < 0;
+  }
+
+  /// The quartic of a spindle is zero at its inner lens too, where field() is not. Between
+  /// neighbouring extrema of the quartic field() has at most one zero.
+  template <class Add>
+  bool find_in_spindle(Vec3 a, Vec3 b, const Bernstein<4>& quartic, Add&& add) const {
     const auto turns = sign_changes<3>({quartic[1] - quartic[0], quartic[2] - quartic[1],
                                         quartic[3] - quartic[2], quartic[4] - quartic[3]});
+    const bool starts_outside = field(a) > 0;
+    bool outside = starts_outside;
     double low = 0;
-    bool outside = true;
     for (std::size_t i = 0; i <= turns.count; ++i) {
       const double high = i < turns.count ? turns.at[i].s : 1;
-      const bool outside_there = i == turns.count || field(a + high * b) > 0;
-      if (outside_there != outside && !add(low, high, 0.5 * (low + high), outside)) return;
+      const bool outside_there = field(a + high * b) > 0;
+      if (outside_there != outside && !add(low, high, 0.5 * (low + high), outside)) break;
       low = high;
       outside = outside_there;
     }
+    return !starts_outside;
   }
 
   /// The zero of field() on a stretch where its sign changes once.
@@ -160,6 +164,7 @@ class PreparedTorus final : public Shape {
   }
 
   double scale_, major_, minor_;
+  Bounds bounds_;
 };
 
 }  // namespace
