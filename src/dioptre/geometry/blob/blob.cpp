@@ -144,8 +144,10 @@ class PreparedBlob final : public Shape {
 template <class Sink>
 bool PreparedBlob::walk(const Ray& ray, Interval range, Sink&& sink) const {
   const bool far_inside = 0 > threshold_;
-  const Interval near = clip(bounds_, ray, range);
+  // Where quartics are solved does not depend on the range, and so neither do their roots' bits.
+  const Interval near = clip(bounds_, ray, Interval::all());
   if (near.empty() || !std::isfinite(near.min) || !std::isfinite(near.max)) return far_inside;
+  if (near.max <= range.min || near.min >= range.max) return far_inside;
 
   // The ray is moved to where the blob begins: from there on numbers are small.
   const double shift = near.min;
@@ -156,18 +158,17 @@ bool PreparedBlob::walk(const Ray& ray, Interval range, Sink&& sink) const {
   const double position_error = 2 * kEpsilon *
                                 (length(ray.origin) + std::fabs(shift) * length(ray.direction)) /
                                 length(ray.direction);
-  bool inside = far_inside, start_inside = far_inside;
-  double last = range.min;
+  bool inside = far_inside, start_inside = far_inside, first = true;
+  double last = -kInfinity;
   const auto report = [&](double t, double error) {
     inside = !inside;
     Crossing crossing;
-    crossing.t = std::max(shift + t, last);
-    if (crossing.t <= range.min) crossing.t = std::nextafter(range.min, kInfinity);
-    if (!(crossing.t < range.max)) return false;
+    crossing.t = last = std::max(shift + t, last);
+    if (crossing.t <= range.min) start_inside = inside;
+    if (!range.surrounds(crossing.t)) return crossing.t <= range.min;
     crossing.error = error + position_error + 2 * kEpsilon * (std::fabs(shift) + std::fabs(t));
     crossing.face = strongest(space, t);
     crossing.entering = inside;
-    last = crossing.t;
     return sink(crossing);
   };
 
@@ -175,13 +176,16 @@ bool PreparedBlob::walk(const Ray& ray, Interval range, Sink&& sink) const {
   for (std::size_t i = 0; i + 1 < space.cuts.size(); ++i) {
     const double ta = space.cuts[i], tb = space.cuts[i + 1];
     if (ta == tb) continue;
+    if (shift + ta >= range.max) return start_inside;
     while (next < space.pieces.size() && space.pieces[next].begin <= ta) {
       space.active.push_back(static_cast<std::uint32_t>(next++));
     }
     std::erase_if(space.active, [&](std::uint32_t p) { return space.pieces[p].end <= ta; });
+    if (shift + tb <= range.min) continue;
     double error = 0;
     const Bernstein<4> f = shortfall(space, ta, tb, error);
-    if (i == 0 && near.min == range.min) inside = start_inside = f[0] < 0;
+    if (first && i > 0) inside = start_inside = f[0] < 0;
+    first = false;
     // Where two quartics meet they may differ by rounding; the state is carried on.
     if ((f[0] < 0) != inside && !report(ta, 0)) return start_inside;
     const SignChanges<4> changes = sign_changes<4>(f);
@@ -192,7 +196,7 @@ bool PreparedBlob::walk(const Ray& ray, Interval range, Sink&& sink) const {
       if (!report(ta + s * (tb - ta), spread)) return start_inside;
     }
   }
-  if (inside != far_inside && near.max < range.max) report(near.max - shift, 0);
+  if (inside != far_inside) report(near.max - shift, 0);
   return start_inside;
 }
 

@@ -59,7 +59,7 @@ class PreparedPoly final : public Shape {
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
     Along along;
-    if (range.empty() || !restrict_to(ray, range, along)) return false;
+    if (!restrict_to(ray, along)) return false;
     const PolynomialRoots roots = solve(along, range, kMaxDegree);
     bool inside = roots.starts_negative;
     for (std::size_t i = 0; i < roots.count; ++i) {
@@ -71,7 +71,7 @@ class PreparedPoly final : public Shape {
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     Along along;
-    if (range.empty() || !restrict_to(ray, range, along)) return false;
+    if (!restrict_to(ray, along)) return false;
     const PolynomialRoots roots = solve(along, range, 1);
     if (roots.count == 0) return false;
     out = crossing(along, roots, 0, !roots.starts_negative);
@@ -93,11 +93,11 @@ class PreparedPoly final : public Shape {
     Vec3 gradient;
   };
 
-  /// The stretch of a ray where all crossings in a range lie: t = shift + reach s with s in
-  /// [-1, 1].
+  /// The stretch of a ray where all crossings lie: t = shift + reach s with s in [-1, 1]. It does
+  /// not depend on the range asked, and so neither do the crossings, to the last bit.
   struct Along {
     Univariate in_s;
-    Ray near;  ///< the ray from its point in the range that is nearest to the origin
+    Ray near;  ///< the ray from its point nearest to the origin
     double shift, reach;
     double misplaced;  ///< a bound on the error of that point
   };
@@ -108,13 +108,13 @@ class PreparedPoly final : public Shape {
   };
 
   /// False where the ray meets nothing because its numbers are not finite.
-  bool restrict_to(const Ray& ray, Interval range, Along& along) const {
-    along.shift = std::clamp(closest_approach(ray, {}), range.min, range.max);
+  bool restrict_to(const Ray& ray, Along& along) const {
+    along.shift = closest_approach(ray, {});
     if (!std::isfinite(along.shift)) return false;
     along.near = {ray.at(along.shift), ray.direction};
     along.misplaced = shift_error(ray, along.shift) * length(ray.direction);
     along.in_s = restricted(along.near);
-    along.reach = rescale(along.in_s, std::max(range.max - along.shift, along.shift - range.min));
+    along.reach = rescale(along.in_s);
     return std::isfinite(along.reach);
   }
 
@@ -194,17 +194,16 @@ class PreparedPoly final : public Shape {
     return in_x;
   }
 
-  /// Substitutes t = reach s with a power of two that brings all roots, or all |t| <= most, into s
-  /// in [-1, 1], and scales the coefficients to at most 1. Returns the reach.
-  static double rescale(Univariate& along, double most) {
+  /// Substitutes t = reach s with a power of two that brings all roots into s in [-1, 1], and
+  /// scales the coefficients to at most 1. Returns the reach.
+  static double rescale(Univariate& along) {
     while (along.degree > 0 && along.c[along.degree] == 0) --along.degree;
     const int n = along.degree;
     if (n < 1) return 1;
     for (int k = 0; k <= n; ++k) {
       if (!std::isfinite(along.c[k])) return kInfinity;
     }
-    int exponent = root_bound_exponent(along.coefficients());
-    if (std::isfinite(most) && most > 0) exponent = std::min(exponent, std::ilogb(most) + 1);
+    const int exponent = root_bound_exponent(along.coefficients());
     int largest = -1 << 20;
     for (int k = 0; k <= n; ++k) {
       if (along.c[k] != 0) largest = std::max(largest, std::ilogb(along.c[k]) + k * exponent + 1);

@@ -32,19 +32,16 @@ class PreparedTorus final : public Shape {
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
     Roots roots;
-    bool inside = find(ray, range, false, roots);
-    for (std::size_t i = 0; i < roots.count; ++i) {
-      if (roots.at[i].t <= range.min) inside = roots.at[i].entering;
-      if (range.surrounds(roots.at[i].t)) out.push_back(roots.at[i]);
-    }
+    const bool inside = find(ray, range, 4, roots);
+    out.insert(out.end(), roots.at, roots.at + roots.count);
     return inside;
   }
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     Roots roots;
-    find(ray, range, true, roots);
-    if (roots.count == 0 || !range.surrounds(roots.at[roots.count - 1].t)) return false;
-    out = roots.at[roots.count - 1];
+    find(ray, range, 1, roots);
+    if (roots.count == 0) return false;
+    out = roots.at[0];
     return true;
   }
 
@@ -81,12 +78,13 @@ class PreparedTorus final : public Shape {
     return 2 * ((across - major_) * outwards + p.y * d.y);
   }
 
-  /// Finds the crossings in the range, or the first one if `first`, and some just before it.
-  /// Returns whether the ray is inside before them.
-  bool find(const Ray& ray, Interval range, bool first, Roots& roots) const {
-    const Interval stretch = clip(bounds_, ray, range);
+  /// Finds the first `most` crossings in the range, and returns whether the ray is inside before
+  /// them. Where they are looked for does not depend on the range, and so neither do their bits.
+  bool find(const Ray& ray, Interval range, std::size_t most, Roots& roots) const {
+    const Interval stretch = clip(bounds_, ray, Interval::all());
     if (!(stretch.min < stretch.max)) return false;
-    // The stretch, a little widened so that no crossing lies at its ends, as s in [0, 1].
+    if (stretch.max < range.min || stretch.min > range.max) return false;
+    // The stretch, a little widened so that its ends are outside, as s in [0, 1].
     const double margin = 0x1p-20 * (stretch.max - stretch.min);
     const double t0 = stretch.min - margin, step = stretch.max - stretch.min + 2 * margin;
     const Vec3 a = ray.at(t0) / scale_, b = (step / scale_) * ray.direction;
@@ -95,39 +93,55 @@ class PreparedTorus final : public Shape {
     const auto add = [&](double low, double high, double start, bool entering) {
       const double s = zero_between(a, b, low, high, start, entering);
       const double t = t0 + s * step;
+      if (!range.surrounds(t)) return t <= range.min;
       const double misplaced = shift_error(ray, t0) * length(ray.direction) / scale_;
       const double error = zero_error(a + s * b, b, misplaced) * step +
                            4 * kRounding * (std::fabs(t) + std::fabs(t0));
       roots.at[roots.count++] = {.t = t, .error = error, .entering = entering};
-      return roots.count < 4 && !(first && range.surrounds(t));
+      return roots.count < most;
     };
-    if (minor_ > major_) return find_in_spindle(a, b, quartic, add);
+    if (minor_ > major_) {
+      find_in_spindle(a, b, quartic, add);
+    } else {
+      find_in_ring(
+          quartic,
+          [&](double low, double high) {
+            return t0 + high * step <= range.min || t0 + low * step >= range.max;
+          },
+          add);
+    }
+    if (roots.count > 0) return !roots.at[0].entering;
+    return contains(ray.at(std::clamp(range.min, stretch.min, stretch.max)));
+  }
+
+  template <class Skip, class Add>
+  static void find_in_ring(const Bernstein<4>& quartic, Skip&& skip, Add&& add) {
     isolate_sign_changes(
-        quartic, 4, [](double, double) { return false; },
-        [&](double low, double high, double at_low, double at_high) {
-          const double start = low + at_low / (at_low - at_high) * (high - low);
+        quartic, 4, skip, [&](double low, double high, double at_low, double at_high) {
+          const PowerBasis<4> power(quartic);
+          const double chord = low + at_low / (at_low - at_high) * (high - low);
+          const double start = bracketed_newton(
+              [&](double s, double& value, double& change) { power.evaluate(s, value, change); },
+              low, high, chord, at_low < 0);
           return add(low, high, start, at_low >= 0);
         });
-    return quartic[0] < 0;
   }
 
   /// The quartic of a spindle is zero at its inner lens too, where field() is not. Between
   /// neighbouring extrema of the quartic field() has at most one zero.
   template <class Add>
-  bool find_in_spindle(Vec3 a, Vec3 b, const Bernstein<4>& quartic, Add&& add) const {
+  void find_in_spindle(Vec3 a, Vec3 b, const Bernstein<4>& quartic, Add&& add) const {
     const auto turns = sign_changes<3>({quartic[1] - quartic[0], quartic[2] - quartic[1],
                                         quartic[3] - quartic[2], quartic[4] - quartic[3]});
-    const bool starts_outside = field(a) > 0;
-    bool outside = starts_outside;
+    bool outside = true;
     double low = 0;
     for (std::size_t i = 0; i <= turns.count; ++i) {
       const double high = i < turns.count ? turns.at[i].s : 1;
-      const bool outside_there = field(a + high * b) > 0;
-      if (outside_there != outside && !add(low, high, 0.5 * (low + high), outside)) break;
+      const bool outside_there = i == turns.count || field(a + high * b) > 0;
+      if (outside_there != outside && !add(low, high, 0.5 * (low + high), outside)) return;
       low = high;
       outside = outside_there;
     }
-    return !starts_outside;
   }
 
   /// The zero of field() on a stretch where its sign changes once.
