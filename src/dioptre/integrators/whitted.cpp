@@ -25,7 +25,24 @@ Vec3 mirror_direction(Vec3 direction, Vec3 normal, Vec3 true_normal) {
   return normalize(mirrored);
 }
 
+/// The share of the light from behind that comes through all layers.
+Color filter_of(const TextureSample& sample, const TextureSample::Stack& stack) {
+  Color filter{1, 1, 1};
+  for (std::uint32_t i = 0; i < stack.count; ++i) {
+    filter *= sample.layers[stack.first + i].pigment.transmittance();
+  }
+  return filter;
+}
+
 double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
+
+/// What an interior leaves of the light that comes through its surface from behind, for a ray that
+/// was inside for `distance` since the surface it met last. What the surface itself shines or
+/// mirrors is not dimmed, nor is anything opaque inside (measured).
+Color fading(const Scene& scene, InteriorId interior, const MediaStack& media, double distance) {
+  if (!interior || !media.contains(MediaStack::entry(interior, nullptr))) return {1, 1, 1};
+  return attenuation(at(scene.interiors, interior), distance);
+}
 
 /// The index of refraction behind a surface over the one before it, for a ray inside `media`; 0 for
 /// a surface without an interior.
@@ -99,28 +116,29 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
       radiance += through * sky_radiance(scene_, path.ray.direction);
       return {radiance, 1 - max_component(through)};
     }
-    for (const MediaStack::Entry& medium : path.media) {
-      if (const InteriorId interior = medium.interior()) {
-        through *= attenuation(at(scene_.scene().interiors, interior), distance);
-      }
-    }
     SurfaceInteraction at = scene_.interaction(path.ray, hit);
     const bool from_inside = dot(at.surface.normal, path.ray.direction) > 0;
     at.surface.normal = facing(at.surface.normal, path.ray.direction);
     at.surface.shading_normal = facing(at.surface.shading_normal, path.ray.direction);
     scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
 
+    const Color faded = fading(scene_.scene(), at.part->interior, path.media, distance);
     const Path before = path;
     bool goes_on = false;
     Color next_through;
     for (std::size_t i = 0; i < sample.stacks.size(); ++i) {
       const TextureSample::Stack stack = sample.stacks[i];
-      Color transmitted;
-      radiance += through * shade(at, stack, before, scratch, transmitted) * stack.weight;
-      if (is_black(transmitted)) continue;
       Path next = before;
-      const Vec3 normal = sample.layers[stack.first].normal;
-      if (!transmit(at, hit, normal, transmitted * stack.weight, next)) continue;
+      Color transmitted = filter_of(sample, stack);
+      next.weight *= transmitted * stack.weight;
+      const Passage passage = reflections_ && may_spawn(next.weight, next.level)
+                                  ? pass(at, hit, sample.layers[stack.first].normal, next)
+                                  : Passage::kNone;
+      if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
+      transmitted *= faded;
+      radiance += through * stack.weight *
+                  shade(at, stack, before, scratch, passage != Passage::kMirrored, transmitted);
+      if (passage == Passage::kNone || is_black(transmitted)) continue;
       if (i + 1 == sample.stacks.size()) {
         path = next;
         next_through = through * transmitted * stack.weight;
@@ -136,10 +154,10 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
   }
 }
 
-/// The light of one stack of layers by itself and by its mirrors; `transmitted` becomes the share
-/// of the light from behind that comes through all layers.
+/// The light of one stack of layers by itself and, if it `mirrors`, by its mirrors, which may take
+/// from what is transmitted.
 Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                     const Path& path, Scratch& scratch, Color& transmitted) const {
+                     const Path& path, Scratch& scratch, bool mirrors, Color& transmitted) const {
   const auto layer = [&](std::uint32_t i) -> const SurfaceLayer& {
     return scratch.samples[scratch.depth].layers[stack.first + i];
   };
@@ -153,8 +171,7 @@ Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& s
   for (const LightSource& light : direct_.lights()) {
     radiance += light_from(light, at, stack, path, scratch);
   }
-  transmitted = reflections_ ? filter : Color{};
-  for (std::uint32_t i = 0; i < stack.count && reflections_; ++i) {
+  for (std::uint32_t i = 0; i < stack.count && mirrors && reflections_; ++i) {
     const Color share = reflectance(layer(i), path.ray.direction,
                                     ior_behind(scene_.scene(), at.part->interior, path.media));
     if (is_black(share)) continue;
@@ -201,12 +218,11 @@ Color Whitted::mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, 
   return radiance;
 }
 
-/// Sends the path on through the surface: bent by Snell's law, mirrored where nothing can leave.
-/// False if the ray would count for too little.
-bool Whitted::transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Color share,
-                       Path& path) const {
-  path.weight *= share;
-  if (!may_spawn(path.weight, path.level)) return false;
+/// Sends the path on through the surface: straight, bent by Snell's law, or mirrored where nothing
+/// can leave. All the light is mirrored then, whatever the texture filters or mirrors itself
+/// (measured); the weight is still that of what is filtered.
+Whitted::Passage Whitted::pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal,
+                               Path& path) const {
   const MediaStack::Entry entry = MediaStack::entry(at.part->interior, hit.item);
   const double before = ior_of(scene_.scene(), path.media.top());
   MediaStack beyond = path.media;
@@ -219,16 +235,16 @@ bool Whitted::transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal
   if (ratio == 1) {
     path.ray = spawn_ray(at, path.ray.direction);
     path.media = beyond;
-    return true;
+    return Passage::kThrough;
   }
   ++path.level;
   if (const auto refracted = refract(path.ray.direction, normal, ratio)) {
     path.ray = spawn_ray(at, *refracted);
     path.media = beyond;
-  } else {
-    path.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+    return Passage::kThrough;
   }
-  return true;
+  path.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+  return Passage::kMirrored;
 }
 
 }  // namespace dioptre

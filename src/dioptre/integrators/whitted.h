@@ -28,17 +28,18 @@ class Whitted final : public RayIntegrator {
     RayPurpose purpose = RayPurpose::kCamera;
     MediaStack media;
   };
+  /// What becomes of a path at a surface that lets light through.
+  enum class Passage { kNone, kThrough, kMirrored };
   struct Scratch;
 
   Radiance trace(Path path, Scratch& scratch) const;
   Color shade(const SurfaceInteraction& at, const TextureSample::Stack& stack, const Path& path,
-              Scratch& scratch, Color& transmitted) const;
+              Scratch& scratch, bool mirrors, Color& transmitted) const;
   Color light_from(const LightSource& light, const SurfaceInteraction& at,
                    const TextureSample::Stack& stack, const Path& path, Scratch& scratch) const;
   Color mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,
                  Scratch& scratch) const;
-  bool transmit(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Color share,
-                Path& path) const;
+  Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;
 
   const RenderScene& scene_;

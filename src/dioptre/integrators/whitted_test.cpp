@@ -136,6 +136,30 @@ TEST(Whitted, GoingStraightThroughUsesNoLevelButRefractionDoes) {
   }
 }
 
+TEST(Whitted, TotalReflectionMirrorsAllTheLightAndNothingElseDoes) {
+  // From inside a block of glass: mirrored at the top, out at the side.
+  const auto seen = [](float filter, float reflection, bool conserve) {
+    OnePixel pixel;
+    pixel.scene.camera.location = {0, 0, 0};
+    pixel.scene.camera.direction = normalize(Vec3{1.6, 1, 0});
+    pixel.scene.camera.right = {0, 0, 1e-3};
+    pixel.scene.camera.up = 1e-3 * normalize(Vec3{-1, 1.6, 0});
+    pixel.scene.settings.max_trace_level = 3;
+    pixel.scene.atmosphere.background = {0.2f, 0.2f, 0.2f};
+    Finish finish = dark();
+    finish.reflection_min = finish.reflection_max = {reflection, reflection, reflection};
+    finish.conserve_energy = conserve;
+    Object& block = pixel.add(Box{{-2, -5, -5}, {3, 1, 5}}, clear(filter, 0), finish);
+    block.interior = append(pixel.scene.interiors, Interior{1.5, true});
+    return pixel.render().g;
+  };
+  EXPECT_NEAR(seen(1, 0, false), 0.2, 1e-6);
+  EXPECT_NEAR(seen(0.5f, 0, false), 0.1, 1e-6);
+  EXPECT_NEAR(seen(0.1f, 0.3f, false), 0.02, 1e-6);
+  EXPECT_NEAR(seen(0.5f, 0.7f, false), 0.1, 1e-6);
+  EXPECT_NEAR(seen(0.5f, 0.7f, true), 0.03, 1e-6);
+}
+
 TEST(Whitted, RaysThatCountForLessThanTheBailoutAreDropped) {
   for (const auto& [bailout, expected] :
        {std::pair{0.6, 0.1}, {0.5, 0.15}, {0.26, 0.15}, {0.25, 0.175}, {0.1, 0.1875}}) {

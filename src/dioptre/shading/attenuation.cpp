@@ -6,14 +6,15 @@
 namespace dioptre {
 
 Color attenuation(const Interior& interior, double distance) {
-  if (interior.fade_distance <= 0) return {1, 1, 1};
+  if (!(interior.fade_distance > 0 && interior.fade_power > 0)) return {1, 1, 1};
   const double depth = distance / interior.fade_distance;
   const Color c = interior.fade_color;
   if (interior.fade_power >= 1000) {
     const auto channel = [&](float f) { return static_cast<float>(std::exp(-(1 - f) * depth)); };
     return {channel(c.r), channel(c.g), channel(c.b)};
   }
-  const auto left = static_cast<float>(1 / (1 + std::pow(depth, interior.fade_power)));
+  const double left_of_all = 1 / (1 + std::pow(depth, interior.fade_power));
+  const float left = left_of_all > 0 ? static_cast<float>(left_of_all) : 0;
   return c + (Color{1, 1, 1} - c) * left;
 }
 
