@@ -1,59 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string>
+#include <utility>
 
 #include "dioptre/accel/accelerator.h"
 #include "dioptre/accel/bounding_volume_hierarchy.h"
-#include "dioptre/accel/slab_test.h"
+#include "dioptre/accel/box_volume.h"
+#include "dioptre/accel/every_box.h"
+#include "dioptre/accel/grid.h"
+#include "dioptre/accel/octree.h"
+#include "dioptre/accel/screen_extents.h"
+#include "dioptre/accel/slab_volume.h"
+#include "dioptre/accel/sphere_volume.h"
+#include "dioptre/accel/split_tree.h"
+#include "dioptre/accel/two_level_grid.h"
+#include "dioptre/accel/volume_hierarchy.h"
 
 namespace dioptre {
 namespace {
 
-/// Tests every box: what all the others are measured against.
-class EveryBox final : public Accelerator {
+/// A structure over the boxes of moderate numbers, and the others apart.
+template <class Structure>
+class Over final : public Accelerator {
  public:
-  explicit EveryBox(std::span<const Bounds> boxes) {
-    boxes_.reserve(boxes.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      if (boxes[i].empty()) continue;
-      boxes_.push_back({SlabBox(boxes[i]), i});
-      bounds_ = unite(bounds_, boxes[i]);
-    }
-  }
+  template <class... More>
+  explicit Over(BoxSet set, More&&... more)
+      : bounds_(set.bounds),
+        apart_(std::move(set.apart)),
+        structure_(std::move(set.walkable), std::forward<More>(more)...) {}
 
-  void visit(const Ray& ray, Interval range, LeafVisitor& leaf) const override {
-    const SlabRay slabs(ray);
-    double entry = 0;
-    for (const auto& [box, item] : boxes_) {
-      if (slabs.meets(box, range, entry) && !leaf.visit(item, range)) return;
-    }
+  void visit(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const override {
+    if (!apart_.walk_on(SlabRay(ray), range, leaf, cost)) return;
+    structure_.walk(ray, range, leaf, cost);
   }
 
   void items_at(Vec3 p, std::vector<std::uint32_t>& items) const override {
-    for (const auto& [box, item] : boxes_) {
-      if (box.contains(p)) items.push_back(item);
-    }
+    apart_.items_at(p, items);
+    structure_.items_at(p, items);
   }
 
   Bounds bounds() const override { return bounds_; }
 
+  AcceleratorStatistics statistics() const override {
+    const AcceleratorStatistics few = apart_.statistics();
+    AcceleratorStatistics size = structure_.statistics();
+    size.references += few.references;
+    size.bytes += few.bytes;
+    return size;
+  }
+
  private:
-  struct Entry {
-    SlabBox box;
-    std::uint32_t item;
-  };
-  std::vector<Entry> boxes_;
   Bounds bounds_;
+  EveryBox apart_;
+  Structure structure_;
 };
 
+/// The hierarchy that meshes and solids use too.
 class Hierarchy final : public Accelerator {
  public:
   explicit Hierarchy(std::span<const Bounds> boxes) : tree_(boxes, 2) {}
 
-  void visit(const Ray& ray, Interval range, LeafVisitor& leaf) const override {
-    tree_.traverse(ray, range,
-                   [&leaf](std::uint32_t item, Interval& left) { return leaf.visit(item, left); });
+  void visit(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const override {
+    tree_.traverse(ray, range, [&leaf, &cost](std::uint32_t item, Interval& left) {
+      ++cost.items;
+      return leaf.visit(item, left);
+    });
   }
 
   void items_at(Vec3 p, std::vector<std::uint32_t>& items) const override {
@@ -62,21 +75,48 @@ class Hierarchy final : public Accelerator {
 
   Bounds bounds() const override { return tree_.bounds(); }
 
+  AcceleratorStatistics statistics() const override { return {}; }
+
  private:
   BoundingVolumeHierarchy tree_;
 };
 
-template <class Kind>
-AcceleratorPtr make(std::span<const Bounds> boxes) {
-  return std::make_unique<Kind>(boxes);
+using Boxes = std::span<const Bounds>;
+using Options = AcceleratorOptions;
+using Make = AcceleratorPtr (*)(Boxes, const Options&);
+
+AcceleratorPtr make_bvh(Boxes boxes, const Options&) { return std::make_unique<Hierarchy>(boxes); }
+
+template <class Structure>
+AcceleratorPtr make(Boxes boxes, const Options&) {
+  return std::make_unique<Over<Structure>>(sort_boxes(boxes));
+}
+
+template <void (*build)(std::span<const BoxedItem>, SplitTree::Builder&)>
+AcceleratorPtr make_bsp(Boxes boxes, const Options&) {
+  return std::make_unique<Over<SplitTree>>(sort_boxes(boxes), build);
+}
+
+AcceleratorPtr make_extents(Boxes boxes, const Options& options) {
+  return std::make_unique<Over<ScreenExtents>>(sort_boxes(boxes), options.eye);
 }
 
 /// The one table of accelerators.
 struct Row {
   std::string_view name;
-  AcceleratorPtr (*make)(std::span<const Bounds>);
+  Make make;
 };
-constexpr std::array kTable{Row{"bvh", make<Hierarchy>}, Row{"none", make<EveryBox>}};
+constexpr std::array kTable{Row{"bvh", make_bvh},
+                            Row{"bsp", make_bsp<build_bsp_sah>},
+                            Row{"bsp-median", make_bsp<build_bsp_median>},
+                            Row{"octree", make<Octree>},
+                            Row{"grid2", make<TwoLevelGrid>},
+                            Row{"grid", make<Grid>},
+                            Row{"boxes", make<VolumeHierarchy<BoxVolume>>},
+                            Row{"slabs", make<VolumeHierarchy<SlabVolume<7>>>},
+                            Row{"spheres", make<VolumeHierarchy<SphereVolume>>},
+                            Row{"extents", make_extents},
+                            Row{"none", make<EveryBox>}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kTable.size()> names;
@@ -84,14 +124,33 @@ constexpr auto kNames = [] {
   return names;
 }();
 
+/// Hierarchies of slabs by the number of directions, from 3 on.
+constexpr auto kSlabs = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array{make<VolumeHierarchy<SlabVolume<I + 3>>>...};
+}
+(std::make_index_sequence<kDiagonals.size() + 1>());
+
+/// The builder for "slabs:K", or null.
+Make find_slabs(std::string_view name) {
+  constexpr std::string_view kPrefix = "slabs:";
+  if (!name.starts_with(kPrefix)) return nullptr;
+  const char* const end = name.data() + name.size();
+  std::size_t directions = 0;
+  const auto read = std::from_chars(name.data() + kPrefix.size(), end, directions);
+  if (read.ec != std::errc() || read.ptr != end) return nullptr;
+  return directions >= 3 && directions - 3 < kSlabs.size() ? kSlabs[directions - 3] : nullptr;
+}
+
 }  // namespace
 
 std::span<const std::string_view> accelerator_names() { return kNames; }
 
-Result<AcceleratorPtr> make_accelerator(std::string_view name, std::span<const Bounds> boxes) {
+Result<AcceleratorPtr> make_accelerator(std::string_view name, std::span<const Bounds> boxes,
+                                        const AcceleratorOptions& options) {
   for (const Row& row : kTable) {
-    if (row.name == name) return row.make(boxes);
+    if (row.name == name) return row.make(boxes, options);
   }
+  if (const auto make_slabs = find_slabs(name)) return make_slabs(boxes, options);
   std::string message = "there is no accelerator '" + std::string(name) + "'; there are:";
   for (const std::string_view each : kNames) message.append(" ").append(each);
   return fail(std::move(message));

@@ -41,7 +41,7 @@ class Compiler {
     std::vector<Bounds> boxes;
     boxes.reserve(out_.items_.size());
     for (const Item& item : out_.items_) boxes.push_back(item.shape->bounds());
-    auto accelerator = make_accelerator(options.accelerator, boxes);
+    auto accelerator = make_accelerator(options.accelerator, boxes, {scene_.camera.location});
     if (!accelerator) return tl::unexpected(accelerator.error());
     out_.accelerator_ = std::move(*accelerator);
     return {};
