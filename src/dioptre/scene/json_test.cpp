@@ -23,7 +23,10 @@ class Fill {
     fill(value);
   }
   void fill(bool& v) { v = ++next_ % 2 == 0; }
-  void fill(double& v) { v = 1.0 / ++next_ * (next_ % 5 == 0 ? -1e300 : 1.1); }
+  void fill(double& v) {
+    ++next_;
+    v = 1.0 / next_ * (next_ % 5 == 0 ? -1e300 : 1.1);
+  }
   void fill(float& v) { v = 1.0f / static_cast<float>(++next_); }
   void fill(std::uint8_t& v) { v = static_cast<std::uint8_t>(++next_); }
   void fill(std::uint32_t& v) { v = ++next_; }
@@ -179,6 +182,18 @@ TEST(Validate, NothingContainsItself) {
   solids.objects.resize(1);
   solids.objects[0].geometry = Csg{CsgOperation::kUnion, {{0}}, true};
   EXPECT_FALSE(validate(solids));
+}
+
+TEST(Validate, SolidsAreNestedOnlySoDeep) {
+  Scene scene;
+  scene.objects.resize(kDeepestSolid + 1);
+  for (std::uint32_t i = 1; i < scene.objects.size(); ++i) {
+    scene.objects[i].geometry = Csg{CsgOperation::kUnion, {{i - 1}}, true};
+  }
+  EXPECT_EQ(validate(scene).error().message,
+            "/objects/4000: solids are nested more than 4000 deep");
+  scene.objects.pop_back();
+  EXPECT_TRUE(validate(scene));
 }
 
 TEST(Validate, ExpressionsReferToEarlierSteps) {
