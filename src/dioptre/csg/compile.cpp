@@ -122,6 +122,7 @@ class BoundsPass {
     }
     std::stable_sort(out_.required.begin(), out_.required.end(),
                      [&](auto a, auto b) { return out_.placed[a].cost() < out_.placed[b].cost(); });
+    sort_required();
     out_.solid = extents_[0].solid;
     out_.bounds = extents_[0].truth ? root : part(surfaces, root);
     out_.extent = SlabBox(out_.bounds);
@@ -200,14 +201,28 @@ class BoundsPass {
 
   void sort_in(std::uint32_t index, const Bounds& interest) {
     const CompiledLeaf& leaf = out_.leaves[index];
-    if (leaf.parent == 0 && is_conjunction(out_.nodes[0].operation) && !leaf.outside) {
-      if (const auto half = out_.placed[index].half_space()) {
-        out_.half_spaces.add(*half, index);
-      } else {
-        out_.required.push_back(index);
-      }
+    const bool conjunct = leaf.parent == 0 && is_conjunction(out_.nodes[0].operation);
+    if (conjunct && (!leaf.outside || out_.placed[index].half_space())) {
+      out_.required.push_back(index);
     } else if (!interest.empty()) {
       out_.optional.push_back(index);
+    }
+  }
+
+  /// Tells the core from the other required leaves. Convex leaves that are no half-spaces join it
+  /// only where it then is all there is: else asking them one by one is faster.
+  void sort_required() {
+    const auto& required = out_.required;
+    out_.convex = out_.optional.empty() && out_.nodes.size() == 1 &&
+                  std::all_of(required.begin(), required.end(), [this](std::uint32_t i) {
+                    return out_.placed[i].half_space() || out_.placed[i].convex();
+                  });
+    for (const std::uint32_t i : required) {
+      if (out_.convex || out_.placed[i].half_space()) {
+        out_.core.add(out_.placed[i], i);
+      } else {
+        out_.beside.push_back(i);
+      }
     }
   }
 

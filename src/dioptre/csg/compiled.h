@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dioptre/accel/bounding_volume_hierarchy.h"
-#include "dioptre/csg/half_spaces.h"
+#include "dioptre/csg/convex_core.h"
 #include "dioptre/csg/placed_leaf.h"
 #include "dioptre/csg/tree.h"
 
@@ -42,8 +42,10 @@ struct Compiled {
   std::vector<PlacedLeaf> placed;       ///< by index in the description
   std::vector<CompiledLeaf> leaves;     ///< the same
   std::vector<CompiledNode> nodes;      ///< the root first
-  HalfSpaces half_spaces;               ///< leaves without which nothing is inside
-  std::vector<std::uint32_t> required;  ///< more of these; the cheap ones first
+  std::vector<std::uint32_t> required;  ///< without which nothing is inside; the cheap ones first
+  ConvexCore core;                      ///< of `required`: half-spaces, and if `convex` all
+  std::vector<std::uint32_t> beside;    ///< the others of `required`, in the same order
+  bool convex = false;                  ///< there is nothing but the core
   std::vector<std::uint32_t> optional;  ///< the other leaves that can change the answer
   BoundingVolumeHierarchy hierarchy;    ///< over `optional`, if they are many
   std::int32_t only_leaf = kNone;       ///< set if the tree is just this leaf

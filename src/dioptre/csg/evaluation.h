@@ -39,7 +39,6 @@ struct Scratch {
   std::vector<NodeState> nodes;
   std::vector<LeafState> leaves;
   Crossings crossings;
-  std::vector<double> times;  ///< where the ray crosses the half-spaces
   std::vector<Event> heap, cluster;
   std::vector<Crossing> passed;
   std::vector<NearestFirst::Pending> walk;
@@ -100,9 +99,9 @@ class Sweep {
   bool run(bool all);
 
  private:
-  bool open_half_spaces();
   bool open_required();
-  bool open_needed(std::uint32_t leaf);
+  void open_core(std::uint32_t ends);
+  void add_event(std::uint32_t crossing);
   void open(std::uint32_t leaf);
   bool sweep_before(double bound, bool all);
   double gather_cluster();

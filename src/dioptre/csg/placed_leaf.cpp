@@ -12,6 +12,15 @@ bool inside_beyond_bounds(const Shape& shape) {
   return is_finite(beyond) && !box.contains(beyond) && shape.contains(beyond);
 }
 
+/// The half-space dot(p, normal) <= distance, or what is left without it, in world space.
+PlacedHalfSpace place(const HalfSpace& half, const Affine& to_object, bool complement) {
+  const double sign = complement ? -1 : 1;
+  const Affine sizes{abs(to_object.x), abs(to_object.y), abs(to_object.z), abs(to_object.o)};
+  return {sign * to_object.covector(half.normal),
+          sign * (half.distance - dot(half.normal, to_object.o)), sizes.covector(abs(half.normal)),
+          std::fabs(half.distance) + dot(abs(half.normal), sizes.o)};
+}
+
 }  // namespace
 
 double rounding_of(const Ray& ray, double t) {
@@ -23,7 +32,11 @@ PlacedLeaf::PlacedLeaf(const Leaf& leaf)
     : leaf_(leaf),
       moved_(!(leaf.placement.to_object == Affine{})),
       bounds_(transform(leaf.shape->bounds(), leaf.placement.to_world)),
-      outside_(inside_beyond_bounds(*leaf.shape) != leaf.complement) {}
+      outside_(inside_beyond_bounds(*leaf.shape) != leaf.complement) {
+  if (!leaf.complement) convex_ = dynamic_cast<const ConvexSolid*>(leaf.shape);
+  const auto half = leaf.shape->half_space();
+  if (half) half_space_ = place(*half, leaf.placement.to_object, leaf.complement);
+}
 
 void PlacedLeaf::to_world(const Ray& ray, Crossing& crossing) const {
   const double rounding = rounding_of(ray, crossing.t);
@@ -39,16 +52,6 @@ Bounds PlacedLeaf::bounds_within(const Bounds& region) const {
   return intersect(common, transform(inner, leaf_.placement.to_world));
 }
 
-std::optional<HalfSpace> PlacedLeaf::half_space() const {
-  std::optional<HalfSpace> half = leaf_.shape->half_space();
-  if (!half || !moved_) return leaf_.complement ? std::nullopt : half;
-  const Vec3 point = leaf_.placement.to_world.point(half->distance * half->normal);
-  half->normal = normalize(leaf_.placement.to_object.covector(half->normal));
-  half->distance = dot(point, half->normal);
-  if (leaf_.complement || !is_finite(half->normal) || !std::isfinite(half->distance)) return {};
-  return half;
-}
-
 bool PlacedLeaf::crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const {
   const std::size_t first = out.size();
   const bool inside = leaf_.shape->crossings(to_object(ray), range, out);
@@ -62,6 +65,15 @@ bool PlacedLeaf::crossings(const Ray& ray, Interval range, std::uint32_t id, Cro
 bool PlacedLeaf::nearest(const Ray& ray, Interval range, Crossing& out) const {
   if (!leaf_.shape->nearest(to_object(ray), range, out)) return false;
   to_world(ray, out);
+  return true;
+}
+
+bool PlacedLeaf::stretch(const Ray& ray, std::uint32_t id, ConvexSpan& out) const {
+  if (!convex_->stretch(to_object(ray), out)) return false;
+  for (Crossing* end : {&out.enter, &out.exit}) {
+    to_world(ray, *end);
+    end->leaf = id;
+  }
   return true;
 }
 

@@ -4,8 +4,17 @@
 #include <cstdint>
 
 #include "dioptre/csg/tree.h"
+#include "dioptre/geometry/convex.h"
 
 namespace dioptre::csg {
+
+/// The points p of world space with dot(p, normal) <= distance.
+struct PlacedHalfSpace {
+  Vec3 normal;  ///< of any length
+  double distance;
+  Vec3 normal_terms;  ///< the sums of the sizes of the terms that `normal` was summed from
+  double distance_terms;
+};
 
 /// A leaf in world space: takes rays into the space of its shape, which keeps their t, and results
 /// back, with inside and outside exchanged for a complement.
@@ -18,9 +27,11 @@ class PlacedLeaf {
   /// Whether what lies outside `bounds` is inside the leaf.
   bool outside() const { return outside_; }
   bool solid() const { return leaf_.shape->solid(); }
+  /// Whether every ray meets the leaf in one stretch at most.
+  bool convex() const { return convex_ != nullptr; }
+  /// The leaf as a half-space, if it is one.
+  const std::optional<PlacedHalfSpace>& half_space() const { return half_space_; }
   double cost() const { return leaf_.shape->cost(); }
-  /// In world space; none for a complement of one, too.
-  std::optional<HalfSpace> half_space() const;
   /// A box around the part of the inside that lies in a region of world space; for a leaf that is
   /// true outside its bounds, around the part of its surface.
   Bounds bounds_within(const Bounds& region) const;
@@ -29,6 +40,8 @@ class PlacedLeaf {
   /// just after range.min. Their errors take in the rounding of the ray and of the leaf's place.
   bool crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const;
   bool nearest(const Ray& ray, Interval range, Crossing& out) const;
+  /// The stretch of a ray in a convex leaf, its ends marked with `id`; false for a miss.
+  bool stretch(const Ray& ray, std::uint32_t id, ConvexSpan& out) const;
   bool contains(Vec3 p) const;
   Surface surface(const Ray& ray, const Crossing& crossing) const;
 
@@ -37,6 +50,8 @@ class PlacedLeaf {
   void to_world(const Ray& ray, Crossing& crossing) const;
 
   Leaf leaf_;
+  const ConvexSolid* convex_ = nullptr;  ///< null if not convex, or a complement
+  std::optional<PlacedHalfSpace> half_space_;
   bool moved_;
   Bounds bounds_;
   bool outside_;

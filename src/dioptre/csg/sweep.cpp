@@ -7,21 +7,10 @@
 namespace dioptre::csg {
 namespace {
 
-/// Leaves are asked this much beyond a range, relative to the numbers that t came from, so that
-/// faces that coincide at its end are seen together.
-constexpr double kRangeMargin = 1e-9;
-
-double before(double t) { return t - kRangeMargin * std::fabs(t); }
-double after(double t) { return t < kInfinity ? t + kRangeMargin * std::fabs(t) : t; }
-
-/// The same margin for what is relative to the ray's coordinates.
-double margin_of(const Ray& ray) {
-  return kRangeMargin * max_component(abs(ray.origin)) / max_component(abs(ray.direction));
-}
-
 /// Where leaves are asked: nothing is inside or visible outside of `within`.
 Interval window(const Ray& ray, Interval range, Interval within) {
-  const double margin = margin_of(ray);
+  const double margin =
+      kRangeMargin * max_component(abs(ray.origin)) / max_component(abs(ray.direction));
   return {std::max(range.min, before(within.min) - margin),
           std::min(after(range.max), after(within.max) + margin)};
 }
@@ -62,7 +51,7 @@ Sweep::Sweep(const Compiled& tree, Scratch& scratch, const Ray& ray, const SlabR
 }
 
 bool Sweep::run(bool all) {
-  if (!open_half_spaces() || !open_required()) return false;
+  if (!open_required()) return false;
   if (tree_.hierarchy.bounds().empty()) {
     double entry = 0;
     for (const std::uint32_t leaf : tree_.optional) {
@@ -82,46 +71,48 @@ bool Sweep::run(bool all) {
   return started_ ? inside_at_start_ : truth_.root();
 }
 
-/// Opens the half-spaces that the root needs, as open_required does.
-bool Sweep::open_half_spaces() {
-  const HalfSpaces& halves = tree_.half_spaces;
-  if (halves.size() == 0) return true;
-  const double margin = margin_of(ray_);
-  if (!halves.clip(ray_, std::max(margin, kRangeMargin), window_, scratch_.times)) return false;
-  for (std::size_t i = 0; i < halves.size(); ++i) {
-    const double t = scratch_.times[i];
-    if (t < window_.min || t > window_.max) {
-      truth_.set_leaf(halves.leaf(i), true);
-    } else if (!open_needed(halves.leaf(i))) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// Opens the leaves that the root needs; false if the ray misses one, and so everything. The window
 /// shrinks to where all are met.
 bool Sweep::open_required() {
-  double entry = 0;
-  for (const std::uint32_t leaf : tree_.required) {
-    if (!slabs_.meets(tree_.leaves[leaf].interest, window_, entry)) return false;
+  if (!tree_.core.meet(tree_.placed, ray_, window_, scratch_.crossings)) return false;
+  const auto ends = static_cast<std::uint32_t>(scratch_.crossings.size());
+  for (const std::uint32_t leaf : tree_.beside) {
+    const std::size_t first = scratch_.crossings.size();
+    open(leaf);
+    const bool begins_inside = truth_.leaf(leaf);
+    if (first == scratch_.crossings.size()) {
+      if (!begins_inside) return false;
+      continue;
+    }
+    const Crossing& front = scratch_.crossings[first];
+    const Crossing& back = scratch_.crossings.back();
+    if (!begins_inside) window_.min = std::max(window_.min, before(front.t - front.error));
+    if (!back.entering) window_.max = std::min(window_.max, after(back.t + back.error));
+    if (window_.empty()) return false;
   }
-  for (const std::uint32_t leaf : tree_.required) {
-    if (!open_needed(leaf)) return false;
-  }
+  open_core(ends);
   return true;
 }
 
-bool Sweep::open_needed(std::uint32_t leaf) {
-  const std::size_t first = scratch_.crossings.size();
-  open(leaf);
-  const bool begins_inside = truth_.leaf(leaf);
-  if (first == scratch_.crossings.size()) return begins_inside;
-  const Crossing& front = scratch_.crossings[first];
-  const Crossing& back = scratch_.crossings.back();
-  if (!begins_inside) window_.min = std::max(window_.min, before(front.t - front.error));
-  if (!back.entering) window_.max = std::min(window_.max, after(back.t + back.error));
-  return !window_.empty();
+/// Makes events of the ends of the core's stretches, the first so many crossings.
+void Sweep::open_core(std::uint32_t ends) {
+  for (std::uint32_t i = 0; i < ends;) {
+    const std::uint32_t leaf = scratch_.crossings[i].leaf;
+    bool inside = true;
+    for (; i < ends && scratch_.crossings[i].leaf == leaf; ++i) {
+      const Crossing& end = scratch_.crossings[i];
+      const bool ahead = end.t > window_.min;
+      inside = inside && ahead != end.entering;
+      if (ahead && end.t < window_.max) add_event(i);
+    }
+    truth_.set_leaf(leaf, inside);
+  }
+}
+
+void Sweep::add_event(std::uint32_t crossing) {
+  const Crossing& at = scratch_.crossings[crossing];
+  scratch_.heap.push_back({at.t, at.leaf, crossing});
+  std::push_heap(scratch_.heap.begin(), scratch_.heap.end());
 }
 
 /// Asks a leaf for its events in the window: before it, nothing is inside whatever this leaf is.
@@ -137,8 +128,7 @@ void Sweep::open(std::uint32_t leaf) {
     if (crossing.t <= swept_) {
       if (!tree_.leaves[leaf].sheet) inside = crossing.entering;
     } else if (crossing.t > swept_) {
-      scratch_.heap.push_back({crossing.t, leaf, i});
-      std::push_heap(scratch_.heap.begin(), scratch_.heap.end());
+      add_event(i);
     }
   }
   truth_.set_leaf(leaf, inside);

@@ -56,6 +56,10 @@ class Tree final : public Shape {
     const SlabRay slabs(ray);
     Interval within = range;
     if (!slabs.clip(compiled_.extent, within)) return false;
+    if (compiled_.convex) {
+      const NearestEnd found = nearest_end_of_core(ray, range, out);
+      if (found != NearestEnd::kUnclear) return found == NearestEnd::kFound;
+    }
     const ScratchLease scratch;
     Sweep(compiled_, *scratch, ray, slabs, range, within).run(false);
     for (const Crossing& crossing : (*scratch).passed) {
@@ -74,15 +78,9 @@ class Tree final : public Shape {
       if (compiled_.leaves[leaf].sheet || !compiled_.leaves[leaf].interest.contains(p)) return;
       truth.set_leaf(leaf, compiled_.placed[leaf].contains(p));
     };
-    const auto fails = [&](std::uint32_t leaf) {
-      ask(leaf);
-      return !truth.leaf(leaf);
-    };
-    for (std::size_t i = 0; i < compiled_.half_spaces.size(); ++i) {
-      if (fails(compiled_.half_spaces.leaf(i))) return false;
-    }
     for (const std::uint32_t leaf : compiled_.required) {
-      if (fails(leaf)) return false;
+      ask(leaf);
+      if (!truth.leaf(leaf)) return false;
     }
     if (compiled_.hierarchy.bounds().empty()) {
       for (const std::uint32_t leaf : compiled_.optional) ask(leaf);
@@ -97,6 +95,16 @@ class Tree final : public Shape {
   }
 
  private:
+  NearestEnd nearest_end_of_core(const Ray& ray, Interval range, Crossing& out) const {
+    const ScratchLease scratch;
+    Crossings& ends = (*scratch).crossings;
+    ends.clear();
+    Interval window{range.min, after(range.max)};
+    if (!compiled_.core.meet(compiled_.placed, ray, window, ends)) return NearestEnd::kNone;
+    for (Crossing& end : ends) end.visible = end.visible && compiled_.leaves[end.leaf].drawn;
+    return nearest_end(ends, range, out);
+  }
+
   Compiled compiled_;
 };
 

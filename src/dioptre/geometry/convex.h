@@ -14,6 +14,7 @@ inline constexpr double kRounding = 0x1p-53;
 struct ConvexSpan {
   Crossing enter{.t = -kInfinity, .entering = true};
   Crossing exit{.t = kInfinity, .entering = false};
+  Interval wanted = Interval::all();  ///< set by the caller: where the span matters
 
   /// Cuts the span to the part inside one more convex set.
   void clip_enter(double t, double error, std::uint32_t face, bool visible = true) {
@@ -27,14 +28,26 @@ struct ConvexSpan {
   bool empty() const { return !(enter.t < exit.t); }
 };
 
-/// A convex solid: `Derived` has `bool span(const Ray&, ConvexSpan&) const`, false for a miss.
-template <class Derived>
-class ConvexShape : public Shape {
+/// A solid that every ray meets in one stretch or not at all.
+class ConvexSolid : public Shape {
  public:
   double cost() const override { return 1; }
 
+  /// The stretch of a ray inside; false, and `out` is undefined, for a miss.
+  virtual bool stretch(const Ray& ray, ConvexSpan& out) const = 0;
+};
+
+/// A convex solid: `Derived` has `bool span(const Ray&, ConvexSpan&) const`, false for a miss; a
+/// span with no part in the wanted range may count as one.
+template <class Derived>
+class ConvexShape : public ConvexSolid {
+ public:
+  bool stretch(const Ray& ray, ConvexSpan& out) const final {
+    return derived().span(ray, out) && !out.empty();
+  }
+
   bool crossings(const Ray& ray, Interval range, Crossings& out) const final {
-    ConvexSpan s;
+    ConvexSpan s{.wanted = range};
     if (!derived().span(ray, s) || s.empty()) return false;
     if (range.surrounds(s.enter.t)) out.push_back(s.enter);
     if (range.surrounds(s.exit.t)) out.push_back(s.exit);
@@ -42,11 +55,11 @@ class ConvexShape : public Shape {
   }
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const final {
-    ConvexSpan s;
+    ConvexSpan s{.wanted = range};
     if (!derived().span(ray, s) || s.empty()) return false;
-    for (const Crossing& crossing : {s.enter, s.exit}) {
-      if (range.surrounds(crossing.t) && crossing.visible) {
-        out = crossing;
+    for (const Crossing* crossing : {&s.enter, &s.exit}) {
+      if (range.surrounds(crossing->t) && crossing->visible) {
+        out = *crossing;
         return true;
       }
     }

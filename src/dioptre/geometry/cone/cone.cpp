@@ -57,10 +57,10 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
         4 * off * (length(across) + std::fabs(radius) + widest + off) / (8 * kRounding);
     const QuadraticRoots roots = quadratic_roots(a, b, c, terms + error_c);
     const auto enter = [&](int i) {
-      out.clip_enter(roots.t[i] + shift, roots.error[i] + shift_loss, 0);
+      out.clip_enter(roots.t[i] + shift, roots.error(i) + shift_loss, 0);
     };
     const auto exit = [&](int i) {
-      out.clip_exit(roots.t[i] + shift, roots.error[i] + shift_loss, 0);
+      out.clip_exit(roots.t[i] + shift, roots.error(i) + shift_loss, 0);
     };
     if (roots.count == 0) return a < 0 || (a == 0 && c <= 0);
     if (roots.count == 1) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dioptre/core/roots.h"
+#include "dioptre/geometry/poly/along_ray.h"
 #include "dioptre/geometry/quadratic.h"
 
 namespace dioptre {
@@ -40,7 +41,8 @@ struct Univariate {
 
 class PreparedPoly final : public Shape {
  public:
-  explicit PreparedPoly(const Poly& poly) : order_(static_cast<int>(poly.order)) {
+  explicit PreparedPoly(const Poly& poly)
+      : order_(static_cast<int>(poly.order)), all_(poly.coefficients) {
     const double* c = poly.coefficients.data();
     for (int i = order_; i >= 0; --i) {
       for (int j = order_ - i; j >= 0; --j) {
@@ -172,8 +174,35 @@ class PreparedPoly final : public Shape {
   }
   static Jet add(Jet a, const Jet& b) { return {a.value + b.value, a.gradient + b.gradient}; }
 
-  /// The polynomial along a ray, by the same scheme over polynomials in t.
+  /// The polynomial along a ray.
   Univariate restricted(const Ray& ray) const {
+    switch (order_) {
+      case 2:
+        return restricted_at_once<2>(ray);
+      case 3:
+        return restricted_at_once<3>(ray);
+      case 4:
+        return restricted_at_once<4>(ray);
+      case 5:
+        return restricted_at_once<5>(ray);
+      case 6:
+        return restricted_at_once<6>(ray);
+      default:
+        return restricted_by_rows(ray);
+    }
+  }
+
+  template <std::size_t N>
+  Univariate restricted_at_once(const Ray& ray) const {
+    const auto along = AlongRay<N>::restrict(all_.data(), ray);
+    Univariate in_t;
+    in_t.degree = N;
+    std::copy(along.begin(), along.end(), in_t.c.begin());
+    return in_t;
+  }
+
+  /// By Horner's scheme over polynomials in t.
+  Univariate restricted_by_rows(const Ray& ray) const {
     const Vec3 o = ray.origin, d = ray.direction;
     Univariate in_x, in_y;
     walk(
@@ -206,7 +235,13 @@ class PreparedPoly final : public Shape {
     const int exponent = root_bound_exponent(along.coefficients());
     int largest = -1 << 20;
     for (int k = 0; k <= n; ++k) {
-      if (along.c[k] != 0) largest = std::max(largest, std::ilogb(along.c[k]) + k * exponent + 1);
+      if (along.c[k] != 0) largest = std::max(largest, exponent_of(along.c[k]) + k * exponent + 1);
+    }
+    if (std::abs(largest) + n * std::abs(exponent) < 1000) {
+      const double reach = power_of_two(exponent);
+      double scale = power_of_two(-largest);
+      for (int k = 0; k <= n; ++k, scale *= reach) along.c[k] *= scale;
+      return reach;
     }
     for (int k = 0; k <= n; ++k) along.c[k] = std::ldexp(along.c[k], k * exponent - largest);
     return std::ldexp(1.0, exponent);
@@ -241,6 +276,7 @@ class PreparedPoly final : public Shape {
   }
 
   int order_;
+  std::vector<double> all_;           ///< Poly's coefficients
   std::vector<Row> rows_;             ///< in the order of Poly's coefficients
   std::vector<double> coefficients_;  ///< leading zeros of each row left out
 };

@@ -9,7 +9,10 @@ namespace {
 
 class PreparedQuadric final : public Shape {
  public:
-  explicit PreparedQuadric(const Quadric& q) : q_(q) {}
+  explicit PreparedQuadric(const Quadric& q)
+      : q_(q),
+        squares_(max_component(abs(q.squares)) + max_component(abs(q.products))),
+        linear_(max_component(abs(q.linear))) {}
 
   Bounds bounds() const override { return quadric_bounds(q_); }
   Bounds bounds_within(const Bounds& region) const override {
@@ -73,15 +76,9 @@ class PreparedQuadric final : public Shape {
 
   int solve(const Ray& ray, Interval range, Crossing* out, bool& inside) const {
     const double shift = closest_approach(ray, {});
-    const double loss = shift_error(ray, shift);
     const Vec3 origin = ray.at(shift), d = ray.direction;
     const double a = curvature(d), b = 0.5 * dot(gradient(origin), d), c = value(origin);
-    const double off = loss * length(d), size = max_component(abs(origin));
-    const double squares = max_component(abs(q_.squares)) + max_component(abs(q_.products));
-    const double steep = 6 * squares * (size + off) + 3 * max_component(abs(q_.linear));
-    const double error_b = (6 * squares * off + 8 * kRounding * steep) * max_component(abs(d));
-    const QuadraticRoots roots =
-        quadratic_roots(a, b, c, magnitude(origin) + steep * off / (8 * kRounding));
+    QuadraticRoots roots = quadratic_roots(a, b, c, 0);
     // Far out the sign of the leading term decides; a lone root is that of the linear term.
     bool state = roots.count == 1 ? b > 0 : a != 0 ? a < 0 : c <= 0;
     int count = 0;
@@ -91,15 +88,26 @@ class PreparedQuadric final : public Shape {
       state = !state;
       if (t <= range.min) inside = state;
       if (range.surrounds(t)) {
-        out[count++] = {.t = t,
-                        .error = roots.error[i] + loss + slope_error(a, b, roots.t[i], error_b),
-                        .entering = state};
+        out[count++] = {.t = t, .error = error(ray, origin, shift, roots, i), .entering = state};
       }
     }
     return count;
   }
 
+  /// A bound on the error of a root of the equation with the coefficients at `origin`, to which the
+  /// ray was moved by `shift`.
+  double error(const Ray& ray, Vec3 origin, double shift, QuadraticRoots roots, int i) const {
+    const double loss = shift_error(ray, shift);
+    const double off = loss * length(ray.direction), size = max_component(abs(origin));
+    const double steep = 6 * squares_ * (size + off) + 3 * linear_;
+    const double error_b =
+        (6 * squares_ * off + 8 * kRounding * steep) * max_component(abs(ray.direction));
+    roots.c_error += 8 * kRounding * magnitude(origin) + steep * off;
+    return roots.error(i) + loss + slope_error(roots.a, roots.b, roots.t[i], error_b);
+  }
+
   Quadric q_;
+  double squares_, linear_;  ///< bounds on the coefficients of one variable
 };
 
 }  // namespace

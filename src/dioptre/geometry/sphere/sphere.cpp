@@ -30,20 +30,24 @@ class PreparedSphere final : public ConvexShape<PreparedSphere> {
     const double apart = dot(miss, miss);
     const double discriminant = squared_ - apart;
     if (!(discriminant > 0)) return false;
-    const double half = std::sqrt(discriminant / a);
-    const double size = max_component(abs(to_center));
-    const double discriminant_error =
-        8 * kRounding * (squared_ + apart) + 8 * kRounding * size * std::sqrt(apart);
-    const double error =
-        std::min(discriminant_error / (2 * half * a), std::sqrt(discriminant_error / a)) +
-        4 * kRounding * (std::fabs(middle) + half) +
-        2 * kRounding * max_component(abs(center_)) / std::sqrt(a);
+    const double half_squared = discriminant / a, half = std::sqrt(half_squared);
     // The root near the origin is a difference of near numbers: the product of the roots gives it.
     const double far = middle >= 0 ? middle + half : middle - half;
     const double near = (dot(to_center, to_center) - squared_) / (a * far);
     const bool cancels = std::fabs(near) < 0.5 * std::fabs(far);
     double t0 = middle - half, t1 = middle + half;
     if (cancels) (middle >= 0 ? t0 : t1) = near;
+    if (t1 <= out.wanted.min || t0 >= out.wanted.max) return false;
+    // The ray is no farther off than the radius.
+    const double size = max_component(abs(to_center));
+    const double discriminant_error = 8 * kRounding * (squared_ + apart + size * radius_);
+    const double half_squared_error = discriminant_error / a;
+    const double half_error = half_squared_error < 4 * half_squared
+                                  ? half_squared_error / (2 * half)
+                                  : std::sqrt(half_squared_error);
+    const double error =
+        half_error + 4 * kRounding * (std::fabs(middle) + half) +
+        2 * kRounding * max_component(abs(center_)) / max_component(abs(ray.direction));
     out.clip_enter(t0, error, 0);
     out.clip_exit(t1, error, 0);
     return true;
