@@ -105,6 +105,14 @@ void add_convex(std::vector<ShapeSample>& all) {
   add("Paraboloid", quadric({1, 0, 1, 0, 0, 0, 0, -1, 0, 0}));
   add("QuadricSlab", quadric({1, 0, 0, 0, 0, 0, 0, 0, 0, -1}));
   add("QuadricPlane", quadric({0, 0, 0, 0, 0, 0, 1, 2, 0, -0.5}));
+  add("RoundSuperellipsoid", Superellipsoid{1, 1});
+  add("RoundedBox", Superellipsoid{0.3, 0.25});
+  add("SharpBox", Superellipsoid{0.01, 0.02});
+  add("RoundedCylinder", Superellipsoid{1, 0.1});
+  add("Ovus", Ovus{1, 0.5});
+  add("OvusUpsideDown", Ovus{1, 1.4});
+  add("OvusOfOneSphere", Ovus{1, 2.5});
+  add("Octahedron", Superellipsoid{2, 2});
 }
 
 void add_quartics(std::vector<ShapeSample>& all) {
@@ -118,6 +126,8 @@ void add_quartics(std::vector<ShapeSample>& all) {
   add("HornTorus", Torus{1, 1});
   add("Spindle", Torus{0.5, 1});
   add("BallTorus", Torus{0, 1});
+  add("PinchedSuperellipsoid", Superellipsoid{3, 2.5});
+  add("HalfPinchedSuperellipsoid", Superellipsoid{0.5, 3});
   add("SphereAsPoly", poly(2, {{1, 2, 0, 0}, {1, 0, 2, 0}, {1, 0, 0, 2}, {-1, 0, 0, 0}}));
   add("CubicPoly", poly(3, {{1, 3, 0, 0}, {1, 0, 1, 1}, {-1, 0, 0, 1}, {0.2, 0, 0, 0}}));
   add("QuarticPoly", poly(4, {{1, 4, 0, 0}, {1, 0, 4, 0}, {1, 0, 0, 4}, {-1, 0, 0, 0}}));
@@ -149,6 +159,46 @@ void add_others(std::vector<ShapeSample>& all) {
         prism(PrismSpline::kBezier, conic,
               {{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 2}, {3, 1}, {2, 0}, {0, 0}}));
   }
+  add("LinearLathe", Lathe{LatheSpline::kLinear, {{1, 0}, {2, 0}, {2, 1}, {1.2, 2}, {1, 0}}});
+  add("LatheToTheAxis",
+      Lathe{LatheSpline::kLinear, {{0, 0}, {1, 0.2}, {0.5, 1}, {0.8, 2}, {0, 1.5}}});
+  add("OpenLathe", Lathe{LatheSpline::kLinear, {{1, 0}, {1.5, 1}, {0.7, 2}}});
+  add("QuadraticLathe",
+      Lathe{LatheSpline::kQuadratic, {{0.3, -1.2}, {1, -1}, {1.4, 0}, {0.7, 0.5}, {0, 1}}});
+  add("CubicLathe", Lathe{LatheSpline::kCubic,
+                          {{2, 1},
+                           {2, -1},
+                           {3, -1},
+                           {3.4, -2},
+                           {4, -1.1},
+                           {3.6, 0},
+                           {3, 1},
+                           {2, 1},
+                           {2, -1},
+                           {3, -1}}});
+  add("BezierLathe",
+      Lathe{LatheSpline::kBezier,
+            {{1, 0}, {2, 0.3}, {2, 0.7}, {1, 1}, {1, 1}, {0.5, 1.3}, {0, 1.7}, {0, 2}}});
+  for (const bool open : {false, true}) {
+    add(open ? "OpenSor" : "Sor",
+        Sor{{{0, 0}, {0.12, 0}, {0.62, 0.54}, {0.21, 0.83}, {0.19, 0.96}, {0.29, 1}, {0.47, 1.03}},
+            open});
+  }
+  for (const SphereSweepSpline spline :
+       {SphereSweepSpline::kLinear, SphereSweepSpline::kBSpline, SphereSweepSpline::kCubic}) {
+    const char* names[] = {"LinearSweep", "BSplineSweep", "CubicSweep"};
+    add(names[static_cast<int>(spline)], SphereSweep{spline,
+                                                     {{{-1, 0, 0}, 0.3},
+                                                      {{0, 0.2, 0}, 0.4},
+                                                      {{1, 1, 0.1}, 0.5},
+                                                      {{2, 0, 0.4}, 0.2},
+                                                      {{3, 1, 0}, 0.3}}});
+  }
+  add("FlatSweep",
+      SphereSweep{SphereSweepSpline::kCubic,
+                  {{{-1, 0, 0}, 0.1}, {{0, 1, 0}, 0.1}, {{1, 0, 0}, 0.1}, {{0, -1, 0}, 0.1}}});
+  add("SweepOfDots", SphereSweep{SphereSweepSpline::kLinear,
+                                 {{{0, 0, 0}, 1}, {{0.2, 0, 0}, 0.2}, {{2, 0, 0}, 0}}});
   add("Blob", blob());
   add("Text", text());
 }

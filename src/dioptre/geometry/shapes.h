@@ -8,13 +8,18 @@
 #include "dioptre/geometry/cone/cone.h"
 #include "dioptre/geometry/cylinder/cylinder.h"
 #include "dioptre/geometry/disc/disc.h"
+#include "dioptre/geometry/lathe/lathe.h"
 #include "dioptre/geometry/mesh/mesh.h"
+#include "dioptre/geometry/ovus/ovus.h"
 #include "dioptre/geometry/plane/plane.h"
 #include "dioptre/geometry/poly/poly.h"
 #include "dioptre/geometry/polygon/polygon.h"
 #include "dioptre/geometry/prism/prism.h"
 #include "dioptre/geometry/quadric/quadric.h"
+#include "dioptre/geometry/sor/sor.h"
 #include "dioptre/geometry/sphere/sphere.h"
+#include "dioptre/geometry/sphere_sweep/sphere_sweep.h"
+#include "dioptre/geometry/superellipsoid/superellipsoid.h"
 #include "dioptre/geometry/text/text.h"
 #include "dioptre/geometry/torus/torus.h"
 #include "dioptre/geometry/triangle/triangle.h"
@@ -23,8 +28,9 @@ namespace dioptre {
 
 /// The one list of primitives. A new primitive adds its folder and its name here; laws, JSON and
 /// the compiler then know it.
-using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly,
-                               Triangle, Mesh, Polygon, Prism, Blob, Text>;
+using ShapeData =
+    std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly, Triangle, Mesh,
+                 Polygon, Prism, Blob, Text, Superellipsoid, Lathe, Sor, SphereSweep, Ovus>;
 
 /// Prepares whichever primitive it is.
 inline Result<ShapePtr> prepare(const ShapeData& data) {

@@ -52,7 +52,8 @@ struct Light {
   AreaLight area;
   double fade_distance = 0;
   double fade_power = 0;
-  ObjectId projected_through;
+  ObjectId projected_through;  ///< a window: light comes through it only
+  std::uint32_t group = 0;     ///< 0: lights all; else only the objects of this light group
   bool media_interaction = true;
   bool media_attenuation = false;
   bool operator==(const Light&) const = default;
@@ -73,6 +74,7 @@ struct Light {
     visit("fade_distance", self.fade_distance);
     visit("fade_power", self.fade_power);
     visit("projected_through", self.projected_through);
+    visit("group", self.group);
     visit("media_interaction", self.media_interaction);
     visit("media_attenuation", self.media_attenuation);
   }

@@ -53,6 +53,8 @@ struct Object {
   bool no_reflection = false;
   bool double_illuminate = false;
   bool uv_mapping = false;
+  std::uint32_t light_group = 0;  ///< the lights of this group shine on it; 0: the whole's group
+  bool global_lights = false;     ///< in a group: the lights of no group shine on it too
   bool operator==(const Object&) const = default;
 
   template <class Self, class Visitor>
@@ -74,6 +76,8 @@ struct Object {
     visit("no_reflection", self.no_reflection);
     visit("double_illuminate", self.double_illuminate);
     visit("uv_mapping", self.uv_mapping);
+    visit("light_group", self.light_group);
+    visit("global_lights", self.global_lights);
   }
 };
 

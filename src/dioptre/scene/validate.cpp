@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/scene/validate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -141,13 +142,37 @@ std::string order_problem(const Scene& scene) {
   return {};
 }
 
+std::string depth_problem(const Scene& scene) {
+  std::vector<std::uint32_t> levels;
+  append_levels(scene, levels);
+  const auto deep = std::find_if(levels.begin(), levels.end(),
+                                 [](std::uint32_t count) { return count > kDeepestSolid; });
+  if (deep == levels.end()) return {};
+  return "/objects/" + std::to_string(deep - levels.begin()) + ": solids are nested more than " +
+         std::to_string(kDeepestSolid) + " deep";
+}
+
 }  // namespace
+
+void append_levels(const Scene& scene, std::vector<std::uint32_t>& levels) {
+  for (std::size_t index = levels.size(); index < scene.objects.size(); ++index) {
+    const Object& object = scene.objects[index];
+    std::uint32_t below = 0;
+    const auto look = [&](const std::vector<ObjectId>& parts) {
+      for (const ObjectId part : parts) below = std::max(below, levels[part.index]);
+    };
+    if (const Csg* csg = std::get_if<Csg>(&object.geometry)) look(csg->children);
+    look(object.clipped_by);
+    levels.push_back(below + 1);
+  }
+}
 
 Result<void> validate(const Scene& scene) {
   Walk walk(scene);
   Scene::fields(scene, walk);
   if (!walk.problem().empty()) return fail(walk.problem());
   if (const std::string problem = order_problem(scene); !problem.empty()) return fail(problem);
+  if (const std::string problem = depth_problem(scene); !problem.empty()) return fail(problem);
   if (const std::string problem = find_cycle(scene); !problem.empty()) return fail(problem);
   return {};
 }

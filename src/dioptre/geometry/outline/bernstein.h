@@ -38,7 +38,7 @@ bool keeps_sign(const Bernstein<N>& b) {
   return negative == 0 || negative == N + 1;
 }
 
-/// Value and derivative of a polynomial in powers of s.
+/// Value and derivatives of a polynomial in powers of s.
 template <std::size_t N>
 struct PowerBasis {
   std::array<double, N + 1> c{};
@@ -62,6 +62,16 @@ struct PowerBasis {
     evaluate(s, v, slope);
     return slope;
   }
+  /// Value, slope and half the second derivative.
+  void evaluate(double s, double& value, double& slope, double& bend) const {
+    value = c[N];
+    slope = bend = 0;
+    for (std::size_t k = N; k-- > 0;) {
+      bend = bend * s + slope;
+      slope = slope * s + value;
+      value = value * s + c[k];
+    }
+  }
   void evaluate(double s, double& value, double& slope) const {
     value = c[N];
     slope = 0;
@@ -77,14 +87,20 @@ template <std::size_t N>
 SignChanges<N> sign_changes(const Bernstein<N>& b) {
   SignChanges<N> found;
   if (keeps_sign<N>(b)) return found;
+  if constexpr (N == 1) {
+    found.at[0] = {b[0] / (b[0] - b[1]), b[0] < 0};
+    found.count = 1;
+    return found;
+  }
   const PowerBasis<N> p(b);
   isolate_sign_changes(
       b, N, [](double, double) { return false; },
       [&](double low, double high, double at_low, double at_high) {
         const bool rises = at_low < 0;
-        const double root = bracketed_newton(
-            [&p](double s, double& value, double& slope) { p.evaluate(s, value, slope); }, low,
-            high, low + at_low / (at_low - at_high) * (high - low), rises);
+        const double root =
+            bracketed_halley([&p](double s, double& value, double& slope,
+                                  double& bend) { p.evaluate(s, value, slope, bend); },
+                             low, high, low + at_low / (at_low - at_high) * (high - low), rises);
         found.at[found.count++] = {root, rises};
         return found.count < N;
       });

@@ -36,7 +36,7 @@ TEST(Text, WidthsAreThoseOfPovRay) {
 }
 
 TEST(Text, WidthsInPovRaysOwnFontAreThoseOfPovRay) {
-  if (!std::filesystem::exists(kTimes)) GTEST_SKIP() << "needs POV-Ray's fonts";
+  ASSERT_TRUE(std::filesystem::exists(kTimes)) << "the tests need povray-includes";
   EXPECT_NEAR(bounds_of(kTimes, "A").max.x, 0.736, 1e-4);
   EXPECT_NEAR(bounds_of(kTimes, "V").max.x, 0.721, 1e-4);
   EXPECT_NEAR(bounds_of(kTimes, "AV").max.x, 1.278, 1e-4);

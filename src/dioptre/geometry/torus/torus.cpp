@@ -120,9 +120,10 @@ class PreparedTorus final : public Shape {
         quartic, 4, skip, [&](double low, double high, double at_low, double at_high) {
           const PowerBasis<4> power(quartic);
           const double chord = low + at_low / (at_low - at_high) * (high - low);
-          const double start = bracketed_newton(
-              [&](double s, double& value, double& change) { power.evaluate(s, value, change); },
-              low, high, chord, at_low < 0);
+          const double start =
+              bracketed_halley([&](double s, double& value, double& change,
+                                   double& bend) { power.evaluate(s, value, change, bend); },
+                               low, high, chord, at_low < 0);
           return add(low, high, start, at_low >= 0);
         });
   }

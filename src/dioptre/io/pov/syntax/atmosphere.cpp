@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// background, fog and sky_sphere.
+// background, fog, rainbow and sky_sphere.
 #include "dioptre/io/pov/syntax/patterns.h"
 
 namespace dioptre::pov {
@@ -58,6 +58,85 @@ void transform_fog(Fog& fog, const Affine& by) {
   fog.altitude *= scale;
 }
 
+/// Reads the contents of one rainbow.
+class RainbowParser {
+ public:
+  explicit RainbowParser(Parser& parser) : parser_(parser) {}
+
+  /// Up to the closing brace, which is taken.
+  void parse() {
+    while (!parser_.accept('}')) {
+      if (const auto named = pov::take<Rainbow>(parser_)) {
+        rainbow_ = *named;
+      } else if (const auto by = parse_transforms(parser_)) {
+        rainbow_.direction = by->vector(rainbow_.direction);
+        rainbow_.up = by->vector(rainbow_.up);
+      } else if (!parse_band() && !parse_arc() && !parser_.accept(',')) {
+        parser_.fail_expected("a property of the rainbow or '}'");
+      }
+    }
+    if (!has_arc_) rainbow_.falloff_angle = rainbow_.arc_angle;
+  }
+
+  Rainbow take() { return std::move(rainbow_); }
+
+ private:
+  bool number(double& value) {
+    parser_.next();
+    value = parser_.parse_float();
+    return true;
+  }
+
+  bool parse_band() {
+    switch (keyword_at(parser_)) {
+      case Keyword::kAngle:
+        return number(rainbow_.angle);
+      case Keyword::kWidth:
+        return number(rainbow_.width);
+      case Keyword::kDistance:
+        return number(rainbow_.distance);
+      case Keyword::kJitter:
+        return number(rainbow_.jitter);
+      case Keyword::kColorMap:
+      case Keyword::kColourMap:
+        parser_.next();
+        rainbow_.colors = parse_color_map(parser_);
+        return true;
+      case Keyword::kColor:
+      case Keyword::kColour:
+        parser_.next();
+        rainbow_.colors.assign(1, {0, parser_.parse_color()});
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  bool parse_arc() {
+    switch (keyword_at(parser_)) {
+      case Keyword::kDirection:
+        parser_.next();
+        rainbow_.direction = parser_.parse_vec3();
+        return true;
+      case Keyword::kUp:
+        parser_.next();
+        rainbow_.up = parser_.parse_vec3();
+        return true;
+      case Keyword::kArcAngle:
+        has_arc_ = true;
+        return number(rainbow_.arc_angle);
+      case Keyword::kFalloffAngle:
+        return number(rainbow_.falloff_angle);
+      default:
+        return false;
+    }
+  }
+
+  Parser& parser_;
+  Rainbow rainbow_;
+  bool has_arc_ = false;
+};
+
 }  // namespace
 
 Fog parse_fog(Parser& parser) {
@@ -77,6 +156,14 @@ Fog parse_fog(Parser& parser) {
     }
   }
   return fog;
+}
+
+Rainbow parse_rainbow(Parser& parser) {
+  const Parser::Nesting nesting(parser);
+  parser.expect('{', "after rainbow");
+  RainbowParser rainbow(parser);
+  rainbow.parse();
+  return rainbow.take();
 }
 
 SkySphere parse_sky_sphere(Parser& parser) {

@@ -126,7 +126,7 @@ class CameraParser {
   bool parse_angle() {
     const SourcePosition where = parser_.next().position;
     camera_.angle = parser_.parse_float();
-    if (camera_.kind == Kind::kSpherical && parser_.accept(',')) {
+    if (camera_.kind == Kind::kSpherical && (parser_.accept(',') || parser_.at_expression())) {
       camera_.vertical_angle = parser_.parse_float();
     }
     angle_at_ = where;
@@ -257,13 +257,45 @@ class CameraParser {
   SourcePosition angle_at_, look_at_place_;
 };
 
+bool has_direction(Vec3 v) { return length(v) > 0 && is_finite(v) && std::isfinite(length(v)); }
+
+/// Refuses a camera through which nothing can be seen.
+void check(Parser& parser, const Camera& camera, SourcePosition where) {
+  if (!is_finite(camera.location)) {
+    parser.fail_at(where, "the location of the camera is not finite");
+  }
+  for (const auto& [vector, name] :
+       {std::pair{camera.direction, "direction"}, std::pair{camera.right, "right"},
+        std::pair{camera.up, "up"}}) {
+    if (has_direction(vector)) continue;
+    parser.fail_at(where, std::string("the ") + name + " vector of the camera has no direction",
+                   "its length must be finite and not 0");
+  }
+  const Vec3 across = cross(normalize(camera.right), normalize(camera.up));
+  if (std::abs(dot(normalize(camera.direction), across)) < 1e-12) {
+    parser.fail_at(where, "the direction, right and up vectors of the camera lie in one plane",
+                   "right points to the right of the picture, up to its top");
+  }
+  if (camera.aperture > 0 && !(camera.focal_distance > 0 && std::isfinite(camera.focal_distance))) {
+    parser.fail_at(where, "the focal point must lie in front of the camera");
+  }
+  if (!(camera.aperture >= 0 && std::isfinite(camera.aperture))) {
+    parser.fail_at(where, "the aperture of the camera must be a number of at least 0");
+  }
+  if (!std::isfinite(camera.angle) || !std::isfinite(camera.vertical_angle)) {
+    parser.fail_at(where, "the angle of the camera is not finite");
+  }
+}
+
 }  // namespace
 
 Camera parse_camera(Parser& parser) {
   const Parser::Nesting nesting(parser);
+  const SourcePosition where = parser.position();
   parser.expect('{', "after camera");
   Camera camera;
   CameraParser(parser, camera).parse();
+  check(parser, camera, where);
   return camera;
 }
 

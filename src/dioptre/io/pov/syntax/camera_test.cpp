@@ -55,6 +55,29 @@ TEST(Camera, FocusIsADistanceAlongTheDirection) {
   EXPECT_NEAR(camera_of("location -5*z focal_point <1, 1, 2> aperture 1").focal_distance, 7, 1e-12);
 }
 
+TEST(Camera, TheSecondAngleNeedsNoComma) {
+  EXPECT_EQ(camera_of("spherical angle 300 100"), camera_of("spherical angle 300, 100"));
+  EXPECT_EQ(camera_of("spherical angle 300 100").vertical_angle, 100);
+}
+
+TEST(Camera, ThroughWhichNothingIsSeenIsAnError) {
+  for (const auto& [contents, reason] :
+       {std::pair{"direction 0", "the direction vector of the camera has no direction"},
+        std::pair{"right 0", "the right vector of the camera has no direction"},
+        std::pair{"up 0", "the up vector of the camera has no direction"},
+        std::pair{"angle 1e-300", "the direction vector of the camera has no direction"},
+        std::pair{"right z", "the direction, right and up vectors of the camera lie in one plane"},
+        std::pair{"location 1e308*10", "the location of the camera is not finite"},
+        std::pair{"angle 0", "the angle of the camera must be between 0 and 180 degrees"},
+        std::pair{"angle 180", "the angle of the camera must be between 0 and 180 degrees"},
+        std::pair{"aperture 1 focal_point -z", "the focal point must lie in front of the camera"},
+        std::pair{"aperture -1", "the aperture of the camera must be a number of at least 0"}}) {
+    const std::string text = said(std::string("camera { ") + contents + " }");
+    EXPECT_EQ(text.find("t.pov:2:"), 0u) << text;
+    EXPECT_NE(text.find(std::string("error: ") + reason), std::string::npos) << text;
+  }
+}
+
 TEST(Camera, ImpossibleOnesAreErrors) {
   EXPECT_EQ(said("camera { location 0 look_at 0 }"),
             "t.pov:2:21: error: the camera looks at its own location\n"

@@ -149,6 +149,7 @@ bool parse_composite_shape(Parser& parser, Keyword keyword, Item& item) {
       parse_mesh2(parser, item);
       return true;
     case Keyword::kUnion:
+    case Keyword::kComposite:  // an old name of it
     case Keyword::kMerge:
     case Keyword::kIntersection:
     case Keyword::kDifference:

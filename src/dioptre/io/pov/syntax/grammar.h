@@ -67,6 +67,7 @@ ObjectId add_part(Parser& parser, Object object, SourcePosition where = {});
 /// The parameters of a shape, at the first one. False if the keyword is no shape.
 bool parse_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_composite_shape(Parser& parser, Keyword keyword, Item& item);
+bool parse_curved_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item);
 /// The children of a union, merge, intersection or difference.
 void parse_csg(Parser& parser, Keyword keyword, Item& item);
@@ -81,6 +82,7 @@ Item parse_light_group(Parser& parser);
 void transform_light(Light& light, const Affine& by);
 Camera parse_camera(Parser& parser);
 Fog parse_fog(Parser& parser);
+Rainbow parse_rainbow(Parser& parser);
 SkySphere parse_sky_sphere(Parser& parser);
 void parse_background(Parser& parser);
 void parse_global_settings(Parser& parser);
@@ -110,7 +112,6 @@ void parse_media(Parser& parser);
 void parse_density(Parser& parser);
 void parse_density_map(Parser& parser);
 void parse_photons(Parser& parser);
-void parse_rainbow(Parser& parser);
 void parse_radiosity(Parser& parser);
 
 }  // namespace dioptre::pov

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // image_map, bump_map, material_map and image_pattern.
+#include <algorithm>
+
 #include "dioptre/io/image/read_image.h"
 #include "dioptre/io/pov/syntax/patterns.h"
 
@@ -9,6 +11,7 @@ namespace {
 constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPixels = 1 << 24;
 constexpr std::size_t kRememberedImages = 64;
+constexpr std::uint64_t kBytesPerPixel = 32;  ///< while an image is decoded, at most
 
 /// The format's keyword; formats are known by their content.
 void skip_format(Parser& parser) {
@@ -42,13 +45,15 @@ Shared<ImageData> parse_function_image(Parser& parser) {
   data.width = static_cast<std::uint32_t>(width);
   data.height = static_cast<std::uint32_t>(height);
   data.channels = 1;
+  constexpr std::uint64_t kWorkPerPixel = 256;
+  parser.charge(static_cast<std::uint64_t>(width * height) * kWorkPerPixel);
   data.pixels.reserve(static_cast<std::size_t>(width * height));
+  SceneQueries& queries = parser.queries();
   for (std::int64_t row = 0; row < height; ++row) {
     for (std::int64_t column = 0; column < width; ++column) {
       const double place[] = {static_cast<double>(column) / static_cast<double>(width),
                               1 - static_cast<double>(row + 1) / static_cast<double>(height), 0};
-      data.pixels.push_back(
-          static_cast<float>(parser.queries().call(parser.scene(), function, place)));
+      data.pixels.push_back(static_cast<float>(queries.call(parser.scene(), function, place)));
     }
   }
   return data;
@@ -158,6 +163,7 @@ Shared<ImageData> read_pixels(Parser& parser, const std::string& path, SourcePos
   if (known) return known->data;
   Result<ImageData> data = read_image(path, options);
   if (!data) parser.fail_at(where, data.error().message);
+  parser.charge(data->pixels.size() * sizeof(float));
   return std::move(*data);
 }
 
@@ -169,6 +175,7 @@ ImageId parse_image(Parser& parser, const std::function<bool()>& other) {
   ImageSource image;
   ReadImageOptions options;
   options.language_version = parser.version();
+  options.max_pixels = std::min(options.max_pixels, parser.budgets().memory_bytes / kBytesPerPixel);
   skip_format(parser);
   const SourcePosition where = parser.position();
   const bool made = parser.accept(Keyword::kFunction);

@@ -51,7 +51,7 @@ bool parse_setting_item(Parser& parser) {
       return true;
     case Keyword::kRainbow:
       parser.next();
-      parse_rainbow(parser);
+      scene.atmosphere.rainbows.push_back(parse_rainbow(parser));
       return true;
     default:
       // Semicolons and commas between items do no harm.
@@ -158,8 +158,7 @@ DescribedPtr parse_surroundings(Parser& parser, Keyword keyword) {
       return unrendered(keyword);
     case Keyword::kRainbow:
       parser.next();
-      parse_rainbow(parser);
-      return unrendered(keyword);
+      return describe(parse_rainbow(parser));
     default:
       return nullptr;
   }

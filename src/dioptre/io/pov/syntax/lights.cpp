@@ -192,16 +192,18 @@ Item parse_light(Parser& parser) {
   return item;
 }
 
+/// Objects, and the lights that shine on nothing else. In groups within groups each object belongs
+/// to the innermost one (measured).
 Item parse_light_group(Parser& parser) {
   const Parser::Nesting nesting(parser);
-  parser.not_rendered("light_group");
   parser.expect('{', "after light_group");
   Item item;
   item.drawn = false;
   Csg members;
+  bool global_lights = false;
   while (!parser.accept('}')) {
     if (parser.accept(Keyword::kGlobalLights)) {
-      parser.parse_flag();
+      global_lights = parser.parse_flag();
     } else if (parser.accept(Keyword::kPhotons)) {
       parse_photons(parser);
     } else if (const auto by = parse_transforms(parser)) {
@@ -218,6 +220,16 @@ Item parse_light_group(Parser& parser) {
     }
   }
   item.drawn = !members.children.empty();
+  if (!item.drawn) {
+    item.lights.clear();
+    return item;
+  }
+  // A group's number is that of the parts there are at its end: no two groups end with the same.
+  item.object.light_group = static_cast<std::uint32_t>(parser.scene().objects.size());
+  item.object.global_lights = global_lights;
+  for (Light& light : item.lights) {
+    if (light.group == 0) light.group = item.object.light_group;
+  }
   item.object.geometry = std::move(members);
   return item;
 }

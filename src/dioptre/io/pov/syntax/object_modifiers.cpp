@@ -101,6 +101,11 @@ class Modifiers {
       case Keyword::kHierarchy:
       case Keyword::kNoRadiosity:
         return ignored_flag();
+      case Keyword::kCutawayTextures:
+        parser_.not_rendered("cutaway_textures");
+        return ignored_flag();
+      case Keyword::kRadiosity:
+        return radiosity();
       case Keyword::kUvVectors:
         return uv_vectors();
       default:
@@ -119,6 +124,15 @@ class Modifiers {
     return flag(ignored);
   }
 
+  /// How often radiosity looks at the object.
+  bool radiosity() {
+    parser_.next();
+    parser_.expect('{', "after radiosity");
+    if (parser_.accept(Keyword::kImportance)) parser_.parse_float();
+    parser_.expect('}', "after the importance");
+    return true;
+  }
+
   bool sturm() {
     bool on = false;
     flag(on);
@@ -126,6 +140,8 @@ class Modifiers {
       if (auto* poly = std::get_if<Poly>(shape)) poly->sturm = on;
       if (auto* prism = std::get_if<Prism>(shape)) prism->sturm = on;
       if (auto* blob = std::get_if<Blob>(shape)) blob->sturm = on;
+      if (auto* lathe = std::get_if<Lathe>(shape)) lathe->sturm = on;
+      if (auto* sor = std::get_if<Sor>(shape)) sor->sturm = on;
     }
     return true;
   }
@@ -137,6 +153,7 @@ class Modifiers {
       if (auto* prism = std::get_if<Prism>(shape)) prism->open = on;
       if (auto* cylinder = std::get_if<Cylinder>(shape)) cylinder->open = on;
       if (auto* cone = std::get_if<Cone>(shape)) cone->open = on;
+      if (auto* sor = std::get_if<Sor>(shape)) sor->open = on;
     }
     return true;
   }

@@ -35,6 +35,7 @@ bool begins_object(Keyword keyword) {
     case Keyword::kBlob:
     case Keyword::kText:
     case Keyword::kUnion:
+    case Keyword::kComposite:
     case Keyword::kMerge:
     case Keyword::kIntersection:
     case Keyword::kDifference:
@@ -94,8 +95,9 @@ Item parse_object_block(Parser& parser) {
 Item parse_shape_block(Parser& parser, Keyword keyword) {
   const Parser::Nesting nesting(parser);
   parser.expect('{', std::string("after ") + std::string(text_of(keyword)));
-  const bool holds_others = keyword == Keyword::kUnion || keyword == Keyword::kMerge ||
-                            keyword == Keyword::kIntersection || keyword == Keyword::kDifference;
+  const bool holds_others = keyword == Keyword::kUnion || keyword == Keyword::kComposite ||
+                            keyword == Keyword::kMerge || keyword == Keyword::kIntersection ||
+                            keyword == Keyword::kDifference;
   std::optional<Item> item = holds_others ? std::nullopt : take_item(parser);
   if (!item) {
     item.emplace();
@@ -111,7 +113,9 @@ ObjectId add_part(Parser& parser, Object object, SourcePosition where) {
   auto& places = parser.source_map().objects;
   places.resize(parser.scene().objects.size());
   places.push_back(where);
-  return append(parser.scene().objects, std::move(object));
+  const ObjectId id = append(parser.scene().objects, std::move(object));
+  parser.check_levels();
+  return id;
 }
 
 void transform_object(Parser& parser, Object& object, const Affine& by) {

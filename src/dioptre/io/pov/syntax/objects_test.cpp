@@ -36,6 +36,35 @@ TEST(Shapes, APrismIsCutWhereAnOutlineCloses) {
   EXPECT_EQ(prism.outlines[1].front(), (Vec2{1, 1}));
 }
 
+TEST(Shapes, RevolvedCurvesAreAsWritten) {
+  EXPECT_EQ(shape_of<Superellipsoid>("superellipsoid { <.2, .3> }"), (Superellipsoid{0.2, 0.3}));
+  EXPECT_EQ(shape_of<Lathe>("lathe { quadratic_spline 3, <0, 0>, <1, 1> <0, 2> sturm }"),
+            (Lathe{LatheSpline::kQuadratic, {{0, 0}, {1, 1}, {0, 2}}, true}));
+  EXPECT_EQ(shape_of<Sor>("sor { 4, <0, 0> <1, 1> <1, 2> <0, 3> open }"),
+            (Sor{{{0, 0}, {1, 1}, {1, 2}, {0, 3}}, true}));
+}
+
+TEST(Shapes, ASphereSweepIsAsWritten) {
+  EXPECT_EQ(shape_of<SphereSweep>("sphere_sweep { linear_spline, 2, 0, 1, x 2 tolerance 0.1 }"),
+            (SphereSweep{SphereSweepSpline::kLinear, {{{}, 1}, {{1, 0, 0}, 2}}, 0.1}));
+  EXPECT_EQ(shape_of<Ovus>("ovus { 1, 0.5 }"), (Ovus{1, 0.5}));
+}
+
+TEST(Shapes, APrismClosesWithinRounding) {
+  for (const char* size : {"1e-9", "1", "1e9"}) {
+    const std::string program = std::string("#declare S=") + size +
+                                "; prism { linear_spline 0, 1, 4, <S*cos(0), S*sin(0)>, "
+                                "<-S, S>, <-S, -S>, <S*cos(2*pi), S*sin(2*pi)> }";
+    EXPECT_EQ(said(program), "");
+    const Prism prism = shape_of<Prism>(program);
+    ASSERT_EQ(prism.outlines.size(), 1u);
+    EXPECT_EQ(prism.outlines[0].front(), prism.outlines[0].back());
+  }
+  EXPECT_NE(said("prism { linear_spline 0, 1, 4, <1, 0> <0, 1> <0, 0> <1, 1e-6> }")
+                .find("the outline of the prism is open: it is closed"),
+            std::string::npos);
+}
+
 TEST(Shapes, AMesh2SharesItsCorners) {
   const Mesh mesh = shape_of<Mesh>(
       "mesh2 { vertex_vectors { 4, 0, x, y, x+y } face_indices { 2, <0,1,2>, <1,2,3> } }");
@@ -46,6 +75,32 @@ TEST(Shapes, AMesh2SharesItsCorners) {
 TEST(Modifiers, TransformationsActInOrder) {
   const Affine map = root_of("sphere { 0, 1 scale 2 translate x rotate 90*z }").transform;
   EXPECT_EQ(map, then(then(scaling({2, 2, 2}), translation({1, 0, 0})), rotation({0, 0, 90})));
+}
+
+TEST(Modifiers, AZeroColumnOfAMatrixIsAScaleOf1) {
+  EXPECT_EQ(root_of("sphere { 0, 1 matrix <0,0,0, 0,0,0, 0,0,0, 1,2,3> }").transform,
+            translation({1, 2, 3}));
+  EXPECT_EQ(root_of("sphere { 0, 1 matrix <0,2,0, 0,1,0, 0,0,3, 0,0,0> }").transform,
+            (Affine{{1, 2, 0}, {0, 1, 0}, {0, 0, 3}, {}}));
+}
+
+TEST(Modifiers, WhatFlattensIsAnError) {
+  for (const char* move :
+       {"matrix <1,1,1, 1,1,1, 1,1,1, 0,0,0>", "matrix <0,0,0, 1,1,0, 0,0,1, 0,0,0>",
+        "scale 1e-200 scale 1e-200", "translate 1e308*10"}) {
+    const std::string text = said(std::string("sphere { 0, 1 ") + move + " }");
+    EXPECT_EQ(text.find("t.pov:2:15: error: the transformation"), 0u) << text;
+  }
+}
+
+TEST(Modifiers, EveryObjectModifierIsRead) {
+  for (const char* modifier : {"radiosity { importance 0.5 }", "no_radiosity", "cutaway_textures",
+                               "split_union off", "hierarchy off", "sturm", "double_illuminate"}) {
+    EXPECT_EQ(said(std::string("difference { sphere { 0, 1 } box { 0, 1 } ") + modifier + " }")
+                  .find("error"),
+              std::string::npos)
+        << modifier;
+  }
 }
 
 TEST(Modifiers, OnlyTexturesGivenBeforeAMoveAreMoved) {
@@ -93,6 +148,20 @@ TEST(Declarations, WhatALoopWritesAgainIsKeptOnce) {
   EXPECT_LE(scene.pigments.size(), 2u);
 }
 
+TEST(Csg, ACompositeIsAUnion) {
+  EXPECT_EQ(root_of("composite { sphere { 0, 1 } }"), root_of("union { sphere { 0, 1 } }"));
+}
+
+TEST(Csg, ARayAtNothingRenderedIsSaidOnce) {
+  const std::string text = said(
+      "#declare U = union { };\n#for (I, 1, 3)\n"
+      "#declare A = trace(U, 0, z);\n#declare B = trace(U, 0, z);\n#end");
+  const std::string warning = "there is nothing in 'U' that is rendered: no ray meets it";
+  const std::size_t first = text.find(warning);
+  EXPECT_NE(first, std::string::npos) << text;
+  EXPECT_EQ(text.find(warning, first + 1), std::string::npos) << text;
+}
+
 TEST(Csg, ChildrenComeBeforeTheirWholes) {
   const Scene scene =
       scene_of("difference { box { -1, 1 } union { sphere { 0, 1 } torus {1, .1} } }");
@@ -113,9 +182,9 @@ TEST(Csg, LightsOfAUnionShineInTheWorldWhereItIsPut) {
 }
 
 TEST(Csg, ShapesThatAreNotRenderedAreLeftOutWithANotice) {
-  const std::string program = "union { sphere { 0, 1 } superellipsoid { <.2, .3> } }";
+  const std::string program = "union { sphere { 0, 1 } julia_fractal { <.1, .2, .3, .4> } }";
   EXPECT_EQ(std::get<Csg>(root_of(program).geometry).children.size(), 1u);
-  EXPECT_NE(said(program).find("superellipsoid is not rendered yet: ignored"), std::string::npos);
+  EXPECT_NE(said(program).find("julia_fractal is not rendered yet: ignored"), std::string::npos);
 }
 
 TEST(Lights, LooksLikeStandsAtTheLightAndCastsNoShadow) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // prism: `[spline] [sweep] height, height, count, points`.
+#include <algorithm>
+#include <cmath>
+
 #include "dioptre/io/pov/syntax/grammar.h"
 
 namespace dioptre::pov {
@@ -26,16 +29,35 @@ bool parse_kind(Parser& parser, Prism& prism) {
   return true;
 }
 
+/// Tells which points are meant to be the same: those nearer to each other than what rounding may
+/// have moved them, for points of this size. `cos(0)` and `cos(2*pi)` close an outline.
+class SamePoint {
+ public:
+  explicit SamePoint(const std::vector<Vec2>& points) {
+    constexpr double kShare = 1e-10;
+    for (const Vec2 p : points) near_ = std::max({near_, std::abs(p.x), std::abs(p.y)});
+    near_ *= kShare;
+  }
+  bool operator()(Vec2 a, Vec2 b) const {
+    return std::abs(a.x - b.x) <= near_ && std::abs(a.y - b.y) <= near_;
+  }
+
+ private:
+  double near_ = 0;
+};
+
 /// Cuts the points into closed outlines: each goes on until the point where its curve begins comes
 /// back; a cubic one has one point more.
-void cut_outlines(Parser& parser, Prism& prism, const std::vector<Vec2>& points) {
+void cut_outlines(Parser& parser, Prism& prism, std::vector<Vec2>& points) {
+  const SamePoint same(points);
   const std::size_t before = prism.spline == PrismSpline::kLinear ? 0 : 1;
   const std::size_t after = prism.spline == PrismSpline::kCubic ? 1 : 0;
   std::size_t begin = 0;
   while (begin < points.size()) {
     const std::size_t first = begin + before;
     std::size_t last = first + 2;
-    while (last < points.size() && points[last] != points[first]) ++last;
+    while (last < points.size() && !same(points[last], points[first])) ++last;
+    if (last < points.size()) points[last] = points[first];
     if (last + after >= points.size()) {
       if (last >= points.size()) parser.warn("the outline of the prism is open: it is closed");
       last = points.size() - 1;
@@ -54,10 +76,12 @@ void cut_bezier(Parser& parser, Prism& prism, const std::vector<Vec2>& points) {
     parser.fail("a bezier_spline needs four points for each piece, found " +
                 std::to_string(points.size()));
   }
+  const SamePoint same(points);
   std::vector<Vec2> outline;
   for (std::size_t i = 0; i < points.size(); i += 4) {
     for (std::size_t k = 0; k < 4; ++k) outline.push_back(points[i + k]);
-    if (outline.back() != outline.front()) continue;
+    if (!same(outline.back(), outline.front())) continue;
+    outline.back() = outline.front();
     prism.outlines.push_back(std::move(outline));
     outline.clear();
   }

@@ -174,6 +174,7 @@ bool parse_shape(Parser& parser, Keyword keyword, Item& item) {
       return set(parse_triangle(parser, true, item.drawn));
     default:
       return parse_composite_shape(parser, keyword, item) ||
+             parse_curved_shape(parser, keyword, item) ||
              parse_unrendered_shape(parser, keyword, item);
   }
 }

@@ -25,9 +25,14 @@ Affine parse_matrix(Parser& parser) {
     parser.skip_comma();
   }
   parser.expect('>', "to end the twelve numbers of a matrix");
-  const Affine m{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}};
-  if (m.determinant() == 0) parser.warn("the matrix is singular: nothing is left of what it moves");
-  return m;
+  bool changed = false;
+  for (std::size_t column = 0; column < 3; ++column) {
+    if (v[column] != 0 || v[3 + column] != 0 || v[6 + column] != 0) continue;
+    v[4 * column] = 1;
+    changed = true;
+  }
+  if (changed) parser.warn("a column of the matrix is zero: read as scaling by 1");
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}};
 }
 
 /// One transformation, if one is next.
@@ -54,6 +59,10 @@ std::optional<Affine> parse_transforms(Parser& parser) {
   }
   if (all && !is_finite(all->x + all->y + all->z + all->o)) {
     parser.fail_at(where, "the transformation is not finite");
+  }
+  if (all && !inverse(*all)) {
+    parser.fail_at(where, "the transformation flattens what it moves: it has no inverse",
+                   "its three axes must not lie in a plane, nor be too small or too large");
   }
   return all;
 }

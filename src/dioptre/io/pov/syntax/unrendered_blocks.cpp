@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks that are read and checked but not rendered yet: media, density, photons, rainbow,
-// radiosity.
+// Blocks that are read and checked but not rendered yet: media, density, photons, radiosity.
 #include <initializer_list>
 
 #include "dioptre/io/pov/syntax/patterns.h"
@@ -151,27 +150,6 @@ void parse_photons(Parser& parser) {
       parser.parse_string();
     } else if (!parser.accept(',')) {
       parser.fail_expected("a setting of the photons or '}'");
-    }
-  }
-}
-
-void parse_rainbow(Parser& parser) {
-  const Parser::Nesting nesting(parser);
-  parser.not_rendered("rainbow");
-  parser.expect('{', "after rainbow");
-  while (!parser.accept('}')) {
-    if (take_unrendered(parser, Keyword::kRainbow)) continue;
-    if (accept_any(parser, {Keyword::kAngle, Keyword::kWidth, Keyword::kDistance, Keyword::kJitter,
-                            Keyword::kArcAngle, Keyword::kFalloffAngle})) {
-      parser.parse_float();
-    } else if (accept_any(parser, {Keyword::kDirection, Keyword::kUp})) {
-      parser.parse_vec3();
-    } else if (accept_any(parser, {Keyword::kColorMap, Keyword::kColourMap})) {
-      parse_color_map(parser);
-    } else if (accept_any(parser, {Keyword::kColor, Keyword::kColour})) {
-      parser.parse_color();
-    } else if (!parser.accept(',') && !parse_transforms(parser)) {
-      parser.fail_expected("a property of the rainbow or '}'");
     }
   }
 }

@@ -7,8 +7,6 @@
 namespace dioptre::pov {
 namespace {
 
-constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
-
 bool accept_any(Parser& parser, std::initializer_list<Keyword> keywords) {
   for (const Keyword keyword : keywords) {
     if (parser.accept(keyword)) return true;
@@ -23,34 +21,6 @@ void skip_float(Parser& parser) {
 void skip_vector(Parser& parser) {
   parser.parse_vec3();
   parser.skip_comma();
-}
-
-void parse_spline_kind(Parser& parser) {
-  accept_any(parser, {Keyword::kLinearSpline, Keyword::kQuadraticSpline, Keyword::kCubicSpline,
-                      Keyword::kBezierSpline, Keyword::kBSpline, Keyword::kNaturalSpline});
-  parser.skip_comma();
-}
-
-/// COUNT, then points.
-void parse_lathe(Parser& parser) {
-  parse_spline_kind(parser);
-  const std::int64_t count = parse_whole(parser, 0, kMostPoints);
-  for (std::int64_t i = 0; i < count; ++i) {
-    parser.skip_comma();
-    parser.parse_vec2();
-  }
-}
-
-void parse_sphere_sweep(Parser& parser) {
-  parse_spline_kind(parser);
-  const std::int64_t count = parse_whole(parser, 0, kMostPoints);
-  for (std::int64_t i = 0; i < count; ++i) {
-    parser.skip_comma();
-    parser.parse_vec3();
-    parser.skip_comma();
-    parser.parse_float();
-  }
-  if (parser.accept(Keyword::kTolerance)) parser.parse_float();
 }
 
 void parse_bicubic_patch(Parser& parser) {
@@ -201,18 +171,6 @@ bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
   parser.not_rendered(text_of(keyword));
   item.drawn = false;
   switch (keyword) {
-    case Keyword::kSuperellipsoid:
-      parser.parse_vec2();
-      return true;
-    case Keyword::kLathe:
-      parse_lathe(parser);
-      return true;
-    case Keyword::kSor:
-      parse_lathe(parser);
-      return true;
-    case Keyword::kSphereSweep:
-      parse_sphere_sweep(parser);
-      return true;
     case Keyword::kBicubicPatch:
       parse_bicubic_patch(parser);
       return true;
@@ -227,10 +185,6 @@ bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
       return true;
     case Keyword::kParametric:
       parse_parametric(parser);
-      return true;
-    case Keyword::kOvus:
-      skip_float(parser);
-      parser.parse_float();
       return true;
     default:
       return false;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dioptre/core/vec.h"
+#include "dioptre/geometry/shape.h"
+
+namespace dioptre {
+
+/// How the control points of a lathe make a curve (as in a scene file).
+enum class LatheSpline : std::uint8_t {
+  kLinear,     ///< p1 ... pn: straight lines. At least 2 points
+  kQuadratic,  ///< c p1 ... pn: parabolas through p1 ... pn; c only bends the first. At least 3
+  kCubic,   ///< c p1 ... pn d: Catmull-Rom through p1 ... pn; c, d only bend the ends. At least 4
+  kBezier,  ///< groups of 4: begin, two controls, end. At least 1 group
+};
+
+/// A curve in the half-plane of distance from the y axis and height, revolved about the y axis.
+///
+/// A curve that does not end where it began is a surface that bounds a solid only together with
+/// invisible faces: flat ones from its two ends towards the axis, and a cylinder as wide as the
+/// curve's least distance from the axis. A point is inside where an odd number of curves is
+/// farther out.
+struct Lathe {
+  static constexpr const char* kName = "lathe";
+  LatheSpline spline = LatheSpline::kLinear;
+  std::vector<Vec2> points;  ///< control points (distance from the axis, y); the distance >= 0
+  bool sturm = false;        ///< kept for scene files; all roots are always found
+
+  bool operator==(const Lathe&) const = default;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("spline", self.spline);
+    visit("points", self.points);
+    visit("sturm", self.sturm);
+  }
+};
+
+/// Checks the parameters and does all work that does not depend on a ray. An error for too few
+/// points, a negative distance from the axis, or a number that is not finite.
+Result<ShapePtr> prepare(const Lathe& lathe);
+
+}  // namespace dioptre
