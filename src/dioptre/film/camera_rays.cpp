@@ -109,6 +109,8 @@ std::optional<Ray> CameraRays::pinhole(Vec2 at) const {
       if (r > 1) return std::nullopt;
       if (r == 0) return Ray{eye, forward_};
       const double theta = omnimax_angle(r), s = std::sin(theta) / r;
+      // The film ends 45 degrees below the horizon: what is further down is black (measured).
+      if (s * p.y < -std::cos(theta)) return std::nullopt;
       return Ray{eye, along(s * p.x, s * p.y, std::cos(theta))};
     }
     case Camera::Kind::kPanoramic: {

@@ -34,8 +34,7 @@ NoiseGenerator noise_of(const Settings& settings) {
 /// of the stretch, and counts less the thicker the mist (measured):
 /// depth (1 - min(1, turb_depth S) exp(-distance / fog distance)).
 double optical_depth(const RenderScene& scene, const Fog& fog, const Ray& ray, double distance) {
-  constexpr double kFar = 1e7;  // the sky's distance in the scene language
-  distance = std::min(distance, kFar);
+  distance = std::min(distance, kSkyDistance);
   double depth = distance / fog.distance;
   const double thinning = std::exp(-depth);
   if (fog.ground) depth *= mean_density(fog, ray, distance);

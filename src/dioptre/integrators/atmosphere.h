@@ -13,6 +13,9 @@ struct FogEffect {
   Color added;
 };
 
+/// How far away the sky is for mist and rainbows (measured).
+constexpr double kSkyDistance = 2e10;
+
 /// The effect of all fogs from the ray's origin over `distance` (infinite towards the sky).
 FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance);
 

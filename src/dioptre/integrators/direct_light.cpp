@@ -64,31 +64,46 @@ class GridMean {
 }  // namespace
 
 DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& options)
-    : scene_(scene), shadows_(options.quality >= 4) {
+    : scene_(scene), media_(scene), shadows_(options.quality >= 4) {
   for (const Light& light : scene.scene().lights) lights_.emplace_back(light);
 }
 
-Color DirectLight::along(Vec3 to_light, double distance, const SurfaceInteraction& at,
-                         RayCounts& counts) const {
-  if (distance <= 0) return {1, 1, 1};
+/// A light that is projected through an object shines only where that is in between, and only what
+/// is on this side of it throws shadows (measured).
+Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
+                         const SurfaceInteraction& at, RayCounts& counts) const {
+  const Light& light = lights_[number].light();
+  const Ray ray = spawn_ray(at, to_light);
+  if (light.projected_through) {
+    Crossing crossing;
+    if (!scene_.window(number)->nearest(ray, {0, distance}, crossing)) return {};
+    distance = crossing.t;
+  }
+  if (distance <= 0 || light.shadowless) return {1, 1, 1};
   ++counts.shadow;
-  return scene_.transmittance(spawn_ray(at, to_light), {0, distance});
+  const Color through = scene_.transmittance(ray, {0, distance});
+  const bool in_fog = light.media_attenuation && media_.any_fog();
+  if (is_black(through) || !(in_fog || media_.any_fades())) return through;
+  return through * media_.transmittance(ray, distance, in_fog);
 }
 
-Color DirectLight::to_point(Vec3 light_position, const SurfaceInteraction& at,
+Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
                             RayCounts& counts) const {
   const Vec3 to_light = light_position - at.surface.position;
   const double distance = length(to_light);
-  return along(to_light / distance, distance, at, counts);
+  return along(number, to_light / distance, distance, at, counts);
 }
 
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
                               const SurfaceInteraction& at, RayCounts& counts) const {
   const Light& light = source.light();
-  if (light.shadowless || !shadows_) return {1, 1, 1};
-  if (!light.is_area) return along(illumination.to_light, illumination.distance, at, counts);
+  if ((light.shadowless && !light.projected_through) || !shadows_) return {1, 1, 1};
+  const auto number = static_cast<std::size_t>(&source - lights_.data());
+  if (!light.is_area) {
+    return along(number, illumination.to_light, illumination.distance, at, counts);
+  }
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
-    return to_point(source.sample(i, j, at.surface.position), at, counts);
+    return to_point(number, source.sample(i, j, at.surface.position), at, counts);
   };
   return GridMean(light.area, sample).mean();
 }

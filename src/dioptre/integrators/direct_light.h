@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dioptre/integrators/integrator.h"
+#include "dioptre/integrators/shadow_media.h"
 #include "dioptre/lights/light_source.h"
 #include "dioptre/render/render_scene.h"
 
@@ -22,12 +23,14 @@ class DirectLight {
                    const SurfaceInteraction& at, RayCounts& counts) const;
 
  private:
-  Color to_point(Vec3 light_position, const SurfaceInteraction& at, RayCounts& counts) const;
-  Color along(Vec3 to_light, double distance, const SurfaceInteraction& at,
+  Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
+                 RayCounts& counts) const;
+  Color along(std::size_t number, Vec3 to_light, double distance, const SurfaceInteraction& at,
               RayCounts& counts) const;
 
   const RenderScene& scene_;
   std::vector<LightSource> lights_;
+  ShadowMedia media_;
   bool shadows_;
 };
 

@@ -24,11 +24,12 @@ PixelRegion cut(PixelRegion region, std::uint32_t width, std::uint32_t height) {
 /// when it is computed.
 class Render {
  public:
-  Render(const RayIntegrator& integrator, const CameraRays& camera, const Scene& scene,
+  Render(const RayIntegrator& integrator, const CameraRays& camera, const RenderScene& scene,
          const RenderOptions& options, const RenderContext& context, RenderResult& result)
       : integrator_(integrator),
         camera_(camera),
-        lens_(scene.camera),
+        scene_(scene),
+        lens_(scene.scene().camera),
         options_(options),
         context_(context),
         region_(cut(options.region, options.width, options.height)),
@@ -49,10 +50,19 @@ class Render {
 
  private:
   FilmSample sample(double x, double y, Vec2 lens, RayCounts& counts) const {
-    const auto ray = camera_.ray(x, y, options_.width, options_.height, lens);
+    auto ray = camera_.ray(x, y, options_.width, options_.height, lens);
     if (!ray) return {{}, 0};
+    if (const NormalId bumps = scene_.scene().camera.normal) {
+      ray->direction = scene_.textures().perturb(bumps, place_on_image(x, y), ray->direction);
+    }
     const Radiance radiance = integrator_.radiance(*ray, counts);
     return {radiance.color, radiance.alpha};
+  }
+
+  /// Where the bumps of the camera are looked up: heights and widths from the centre of the image,
+  /// x to the right and y upwards (measured).
+  Vec3 place_on_image(double x, double y) const {
+    return {x / options_.width - 0.5, 0.5 - y / options_.height, 0};
   }
 
   /// The value at a place of the image: one ray, or what the whole lens sees around it.
@@ -122,6 +132,7 @@ class Render {
 
   const RayIntegrator& integrator_;
   const CameraRays& camera_;
+  const RenderScene& scene_;
   LensSamples lens_;
   const RenderOptions& options_;
   const RenderContext& context_;
@@ -141,7 +152,7 @@ Result<RenderResult> render_image(const Scene& scene, const RenderOptions& optio
   auto integrator = make_integrator(options.integrator, **compiled, options.integrator_options);
   if (!integrator) return tl::unexpected(integrator.error());
   RenderResult result;
-  Render(**integrator, *camera, scene, options, context, result).run();
+  Render(**integrator, *camera, **compiled, options, context, result).run();
   return result;
 }
 

@@ -36,6 +36,12 @@ Color filter_of(const TextureSample& sample, const TextureSample::Stack& stack) 
 
 double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
 
+/// Lights of a group shine on that group alone; the others on what is in no group or in one that
+/// lets them in.
+bool lights(const Light& light, const Part& part) {
+  return light.group == part.light_group || (light.group == 0 && part.global_lights);
+}
+
 /// What an interior leaves of the light that comes through its surface from behind, for a ray that
 /// was inside for `distance` since the surface it met last. What the surface itself shines or
 /// mirrors is not dimmed, nor is anything opaque inside (measured).
@@ -68,7 +74,10 @@ struct Whitted::Scratch {
 };
 
 Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
-    : scene_(scene), direct_(scene, options), reflections_(options.quality >= 8) {
+    : scene_(scene),
+      direct_(scene, options),
+      rainbows_(scene.scene()),
+      reflections_(options.quality >= 8) {
   const Vec3 eye = scene.scene().camera.location;
   for (const Item& item : scene.items()) {
     const InteriorId interior = scene.interior_of(item);
@@ -111,6 +120,11 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
       const FogEffect fog = fog_effect(scene_, path.ray, distance);
       radiance += through * fog.added;
       through *= fog.transmittance;
+      if (!rainbows_.empty()) {
+        const FogEffect rainbow = rainbows_.effect(path.ray, distance);
+        radiance += through * rainbow.added;
+        through *= rainbow.transmittance;
+      }
     }
     if (!found) {
       radiance += through * sky_radiance(scene_, path.ray.direction);
@@ -169,6 +183,7 @@ Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& s
     filter *= layer(i).pigment.transmittance();
   }
   for (const LightSource& light : direct_.lights()) {
+    if (!lights(light.light(), *at.part)) continue;
     radiance += light_from(light, at, stack, path, scratch);
   }
   for (std::uint32_t i = 0; i < stack.count && mirrors && reflections_; ++i) {

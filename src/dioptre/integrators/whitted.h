@@ -6,6 +6,7 @@
 #include "dioptre/integrators/direct_light.h"
 #include "dioptre/integrators/integrator.h"
 #include "dioptre/integrators/media_stack.h"
+#include "dioptre/integrators/rainbow.h"
 
 namespace dioptre {
 
@@ -44,6 +45,7 @@ class Whitted final : public RayIntegrator {
 
   const RenderScene& scene_;
   DirectLight direct_;
+  Rainbows rainbows_;
   MediaStack camera_media_;
   bool reflections_;
 };

@@ -28,6 +28,7 @@ class Compiler {
     for (const ObjectId root : scene_.roots) {
       if (auto added = add(root, world); !added) return added;
     }
+    if (auto added = add_windows(); !added) return added;
     out_.shapes_ = shapes_.take();
     return {};
   }
@@ -76,6 +77,17 @@ class Compiler {
       out_.parts_.push_back(part);
     }
     out_.items_.push_back(std::move(item));
+    return {};
+  }
+
+  Result<void> add_windows() {
+    for (const Light& light : scene_.lights) {
+      out_.windows_.emplace_back();
+      if (!light.projected_through) continue;
+      auto solid = build_solid(scene_, shapes_, light.projected_through, {});
+      if (!solid) return tl::unexpected(solid.error());
+      out_.windows_.back() = std::move(solid->shape);
+    }
     return {};
   }
 

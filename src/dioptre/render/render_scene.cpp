@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dioptre/shading/attenuation.h"
-
 namespace dioptre {
 namespace {
 
@@ -98,26 +96,32 @@ void RenderScene::evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool
   }
 }
 
+/// How much a surface gathers the light that comes through it along the normal, as thick glass
+/// would: 1 + cos^(45 caustics) of the angle to the disturbed normal (measured).
+float RenderScene::caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const {
+  const double caustics = dioptre::at(scene_.interiors, facing.part->interior).caustics;
+  if (!(caustics > 0)) return 1;
+  thread_local TextureSample sample;
+  evaluate_texture(facing, direction, leaving, sample);
+  const double cosine = sample.layers.empty() ? dot(facing.surface.shading_normal, direction)
+                                              : dot(sample.layers.front().normal, direction);
+  return static_cast<float>(1 + std::pow(std::fabs(cosine), 45 * caustics));
+}
+
 Color RenderScene::item_transmittance(const Item& item, const Ray& ray, Interval range) const {
   Color through{1, 1, 1};
   Hit hit{{}, &item};
-  double entered = range.min;
-  InteriorId inside;
   while (item.shape->nearest(ray, range, hit.crossing)) {
-    const SurfaceInteraction at = interaction(ray, hit);
-    SurfaceInteraction facing = at;
+    SurfaceInteraction facing = interaction(ray, hit);
     if (dot(facing.surface.shading_normal, ray.direction) > 0) {
       facing.surface.shading_normal = -facing.surface.shading_normal;
     }
+    const Part& part = *facing.part;
     const bool leaving = !hit.crossing.entering;
-    through *= textures_->transmittance(leaving ? at.part->interior_texture : at.part->texture,
+    through *= textures_->transmittance(leaving ? part.interior_texture : part.texture,
                                         texture_point(facing, ray.direction));
-    if (leaving && at.part->interior) {
-      through *=
-          attenuation(dioptre::at(scene_.interiors, at.part->interior), hit.crossing.t - entered);
-    }
     if (is_black(through)) return through;
-    entered = hit.crossing.t;
+    if (part.interior) through *= caustic(facing, ray.direction, leaving);
     range.min = hit.crossing.t;
   }
   return through;

@@ -23,6 +23,8 @@ struct Part {
   std::uint32_t placement = 0;  ///< of the texture, index into RenderScene's placements
   bool uv_mapping = false;
   bool double_illuminate = false;
+  std::uint32_t light_group = 0;  ///< 0: none
+  bool global_lights = true;      ///< lights of no group shine on it
 };
 
 /// What stands in the accelerator on its own: a primitive, or a whole CSG solid.
@@ -76,8 +78,8 @@ class RenderScene {
 
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
 
-  /// The share of light that gets through all surfaces met in the range; black as soon as an opaque
-  /// one is met.
+  /// The share of light that gets through all surfaces met in the range, brightened by `caustics`;
+  /// black as soon as an opaque one is met. What the insides of solids take is not counted.
   Color transmittance(const Ray& ray, Interval range) const;
 
   /// The texture of a surface seen along the ray: its layers, with normals in world space. The
@@ -85,20 +87,27 @@ class RenderScene {
   void evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
                         TextureSample& out) const;
 
+  /// What the surface at a hit wears.
+  const Part& part(const Hit& hit) const {
+    return parts_[hit.item->first_part + hit.crossing.leaf];
+  }
+
+  /// What the light of this number in the scene is projected through; null for most lights.
+  const Shape* window(std::size_t light) const { return windows_[light].get(); }
+
   /// The interior of an item as a whole: that of its first part. May be none.
   InteriorId interior_of(const Item& item) const { return parts_[item.first_part].interior; }
 
  private:
   friend class Compiler;
   explicit RenderScene(const Scene& scene) : scene_(scene) {}
-  const Part& part(const Hit& hit) const {
-    return parts_[hit.item->first_part + hit.crossing.leaf];
-  }
   Color item_transmittance(const Item& item, const Ray& ray, Interval range) const;
+  float caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const;
   TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view) const;
 
   const Scene& scene_;
   std::vector<ShapePtr> shapes_;
+  std::vector<ShapePtr> windows_;  ///< one for each light
   std::vector<Item> items_;
   std::vector<Part> parts_;
   std::vector<Placement> placements_;

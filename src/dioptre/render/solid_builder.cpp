@@ -37,7 +37,9 @@ class SolidBuilder {
                      .interior_texture = own.interior_texture,
                      .interior = own.interior,
                      .uv_mapping = own.uv_mapping,
-                     .double_illuminate = own.double_illuminate});
+                     .double_illuminate = own.double_illuminate,
+                     .light_group = own.light_group,
+                     .global_lights = own.global_lights});
     texture_to_world.push_back(own.texture_to_world);
     return ~static_cast<std::int32_t>(description.leaves.size() - 1);
   }
@@ -108,6 +110,8 @@ Inherited inherit(const Inherited& from, const Object& object) {
   own.no_reflection = from.no_reflection || object.no_reflection;
   own.double_illuminate = from.double_illuminate || object.double_illuminate;
   own.uv_mapping = from.uv_mapping || object.uv_mapping;
+  own.light_group = object.light_group ? object.light_group : from.light_group;
+  own.global_lights = object.light_group ? object.global_lights : from.global_lights;
   return own;
 }
 

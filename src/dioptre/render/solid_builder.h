@@ -22,6 +22,8 @@ struct Inherited {
   bool no_reflection = false;
   bool double_illuminate = false;
   bool uv_mapping = false;
+  std::uint32_t light_group = 0;
+  bool global_lights = true;
 };
 
 /// The same, one level further down: for the parts of `object`.

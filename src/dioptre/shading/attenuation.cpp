@@ -6,7 +6,7 @@
 namespace dioptre {
 
 Color attenuation(const Interior& interior, double distance) {
-  if (!(interior.fade_distance > 0 && interior.fade_power > 0)) return {1, 1, 1};
+  if (interior.fade_distance == 0) return {1, 1, 1};
   const double depth = distance / interior.fade_distance;
   const Color c = interior.fade_color;
   if (interior.fade_power >= 1000) {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dioptre/core/color.h"
+#include "dioptre/core/ray.h"
+#include "dioptre/render/render_scene.h"
+
+namespace dioptre {
+
+/// What lies between a surface and a light beside surfaces: the insides of solids, and mist.
+class ShadowMedia {
+ public:
+  explicit ShadowMedia(const RenderScene& scene);
+
+  /// Whether any solid dims the light inside.
+  bool any_fades() const { return any_fades_; }
+  /// Whether there is mist, which dims lights that ask for it.
+  bool any_fog() const { return any_fog_; }
+
+  /// The share of light left by what a ray is in, from its origin over `distance`; of the fog only
+  /// if `in_fog`. A solid dims the light where the ray leaves it, by the distance since the surface
+  /// met last. Solids that the origin lies in do not count, nor does a fade_power of 0 (measured).
+  Color transmittance(const Ray& ray, double distance, bool in_fog) const;
+
+ private:
+  const RenderScene& scene_;
+  bool any_fades_ = false;
+  bool any_fog_ = false;
+};
+
+}  // namespace dioptre
