@@ -64,6 +64,13 @@ class CommandLine(ProgramTest):
         self.assertEqual((self.folder / "a.png").read_text(), "old")
         self.assertTrue(outcome.output.strip())
 
+    def test_an_interrupt_ends_the_reading_too(self):
+        self.write("a.pov", "#declare I = 0; #while (I < 1) #declare J = I; #end")
+        outcome = self.dioptre("+Ia.pov", "+Oa.png", "-D", cpu_seconds=20, interrupt_after=0.5)
+        self.assertEqual(outcome.status, 2, outcome.output)
+        self.assertIn("error: stopped here", outcome.output)
+        self.assertFalse((self.folder / "a.png").exists())
+
 
 if __name__ == "__main__":
     unittest.main()

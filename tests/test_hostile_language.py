@@ -3,9 +3,7 @@
 2 seconds and 512 MiB."""
 
 import random
-import struct
 import unittest
-import zlib
 
 from program import SCENE, ProgramTest
 
@@ -30,8 +28,15 @@ REFUSED = {
     "cylinder without length": "cylinder { 0, 0, 1 }",
     "plane without normal": "plane { 0, 1 }",
     "poly of order 36": "poly { 36, <1, 2, 3> }",
+    "mesh2 without faces": "mesh2 { vertex_vectors { 3, 0, x, y } }",
+    "number beyond every range": "#declare A = 1e999;",
+    "character -1": "#declare A = chr(-1);",
     "#for with step 0": "#for (I, 0, 1, 0) #end",
     "macro that calls itself": "#macro M() M() #end M()",
+    "macros that call each other": "#macro M() N() #end #macro N() M() #end M()",
+    "text of a million letters": '#declare A = "0123456789012345"; #for (I, 1, 18) '
+                                 '#declare A = concat(A, A); #end text { ttf "timrom.ttf" A 1, 0 }',
+    "array of 2^80": "#declare A = array[65536][65536][65536][65536][65536];",
     "file that includes itself": '#include "a.pov"',
     "array of 10^9": "#declare A = array[1000000000];",
     "array of -5": "#declare A = array[-5];",
@@ -53,11 +58,60 @@ REFUSED = {
 
 ENDLESS = {
     "loop without end": "#while (1) #end",
+    "loop whose condition stays": "#while (1) #declare A = 1; #end",
     "10^9 times nothing": "#for (I, 1, 1000000000) #end",
     "10^9 spheres": "#for (I, 1, 1000000000) sphere { 0, 1 } #end",
+    "10^9 files": '#for (I, 1, 1000000000) #fopen F "f.txt" write #fclose F #end',
+    "10^9 lines": '#fopen F "f.txt" write #for (I, 1, 1000000000) #write (F, I, "\\n") #end',
+    "10^9 pictures": "#for (I, 1, 1000000000) "
+                     "#declare P = pigment { image_map { function 2, 2 { x } } } #end",
+    "10^9 messages": '#for (I, 1, 1000000000) #debug "" #end',
+    "10^9 questions": "#declare B = sphere { 0, 1 } "
+                      "#for (I, 1, 1000000000) #declare P = trace(B, -z*5, z); #end",
+    "10^9 points of a prism": "prism { 0, 1, 1000000000 #for (I, 1, 1000000000) <0, 0> #end }",
+    "10^9 triangles": "mesh { #for (I, 1, 1000000000) triangle { x, y, z + I } #end }",
+    "10^9 colours": "sphere { 0, 1 pigment { gradient x color_map { "
+                    "#for (I, 1, 1000000000) [I rgb 1] #end } } }",
+    "10^9 points of a spline, the last first": "#declare S = spline { natural_spline "
+                                               "#for (I, 1, 1000000000) -I, <I, 0, 0> #end }",
+    "copies of an array": "#declare A = array[1000000]; #declare B = array[1000000]; "
+                          "#for (I, 0, 999999) #declare B[I] = A; #declare A[0] = I; #end",
+    "macro that calls itself twice": "#macro F(n) #if (n < 2) 1 #else (F(n-1) + F(n-2)) #end #end "
+                                     "#declare A = F(100);",
+    "picture from a slow function":
+        "#declare F = function { sum(i, 1, 100000, sin(i*x)) } "
+        "sphere { 0, 1 pigment { image_map { function 4096, 4096 { F(x, y, z) } } } }",
 }
 
+BUDGETS = [
+    ("max-steps", "100", "#for (I, 1, 100) #declare A = I; #end"),
+    ("max-objects", "100", "#for (I, 1, 20000) sphere { 0, 1 } #end"),
+    ("max-nesting", "20", "union { " * 30 + "sphere { 0, 1 }" + " }" * 30),
+    ("max-string-bytes", "100", '#declare A = "0123456789"; #declare B = concat('
+                                + ", ".join(["A"] * 20) + ");"),
+    ("max-array-elements", "100", "#declare A = array[200];"),
+    ("max-written-bytes", "100", '#debug "0123456789"'),
+    ("max-scene-bytes", "20000000", "#declare A = array[2000000];"),
+]
+
 ACCEPTED = {
+    "arccosine of 2": (SCENE + "#declare A = acos(2);").encode(),
+    "character code of nothing": (SCENE + '#declare A = asc("");').encode(),
+    "number from letters": (SCENE + '#declare A = val("abc");').encode(),
+    "numbers at the ends of their range":
+        (SCENE + "sphere { 0, 1e300 } sphere { 0, 1e-300 } torus { 1e300, 1e300 }").encode(),
+    "camera along its sky": (SCENE + "camera { location 5*y look_at 0 }").encode(),
+    "camera without a sky": (SCENE + "camera { location -5*z sky 0 look_at 0 }").encode(),
+    "finish beyond every range": (SCENE + "sphere { x, 1 finish { phong 1e300 phong_size 1e300 "
+                                  "specular 1e300 roughness 0 brilliance -1e300 } }").encode(),
+    "patterns beyond every range":
+        (SCENE + "sphere { x, 1 pigment { crackle form <1e300, 1, 1> metric 1e300 offset 1e300 "
+         "turbulence 1e300 octaves 1000000000 lambda 1e-300 omega 1e300 } normal { bumps 1e300 "
+         "scale 1e-90 } } sphere { -x, 1 pigment { mandel 1000000000 scale 1e90 } }").encode(),
+    "fog beyond every range": (SCENE + "fog { fog_type 2 distance 1e-300 rgb 1 fog_alt 0 "
+                               "fog_offset 1e300 turbulence 1e300 turb_depth 1e300 }").encode(),
+    "light beyond every range": (SCENE + "light_source { 0, rgb 1e300 fade_power -1e300 "
+                                 "fade_distance 1e300 spotlight point_at 0 }").encode(),
     "nothing": b"",
     "a comment": b"// nothing\n",
     "CRLF": SCENE.replace("\n", "\r\n").encode(),
@@ -77,27 +131,57 @@ ACCEPTED = {
 }
 
 
-def png(width, height, data):
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I",
-                                                                      zlib.crc32(kind + body))
+# What opens, and the text before it; each is repeated 10^5 times and never closed.
+OPENERS = [
+    ("#declare A =", "("), ("#declare A =", "-"), ("#declare A =", "<"), ("#declare A = (", "!"),
+    ("#declare A = (", "1 ? "), ("#declare A = (", "1 ? 1 : "), ("#declare A =", "sin("),
+    ("#declare A =", "vlength("), ("#declare A =", "rgb "), ("#declare A =", "array[1] { "),
+    ("#declare A = array[1] { 0 }; #declare B =", "A["), ("#declare A =", "#declare B = "),
+    ("#debug ", "concat("), ("#declare F = function {", "("), ("#declare F = function {", "-"),
+    ("#declare F = function {", "select("), ("#declare F = function {", "pigment { function { "),
+    ("#declare F = function(x) { x } #declare A =", "F("), ("#macro M(a) a #end #declare A =", "M("),
+    ("", "union { "), ("", "object { "), ("", "difference { "), ("", "light_group { "),
+    ("", "#if (1) "), ("", "#if (0) "), ("", "#while (1) "), ("", "#switch (1) #case (1) "),
+    ("", "#macro M() "), ("", "/* "), ("", "#default { texture { average texture_map { [1 "),
+    ("sphere { 0, 1 ", "clipped_by { sphere { 0, 1 "), ("sphere { 0, 1 ", "transform { "),
+    ("sphere { 0, 1 ", "texture { gradient x texture_map { [0 "),
+    ("sphere { 0, 1 normal { ", "gradient x normal_map { [0 "),
+    ("sphere { 0, 1 pigment { ", "image_map { function 2, 2 { pigment { "),
+    ("sphere { 0, 1 pigment { ", "object { sphere { 0, 1 pigment { "),
+    ("", "light_source { 0, 1 projected_through { "), ("global_settings ", "{ "),
+]
 
-    head = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
-    return b"\x89PNG\r\n\x1a\n" + head + chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b"")
+PICTURE_OF_NOTHING = {
+    "camera without direction": "camera { location 0 direction 0 }",
+    "camera whose right is its direction": "camera { location 0 direction x right x }",
+    "camera without right": "camera { location -z right 0 look_at 0 }",
+    "camera without up": "camera { location -z up 0 look_at 0 }",
+    "camera that looks at itself": "camera { location x look_at x }",
+    "camera angle 0": "camera { location -z angle 0 look_at 0 }",
+    "camera angle 180": "camera { location -z angle 180 look_at 0 }",
+    "camera angle 360": "camera { location -z angle 360 look_at 0 }",
+    "camera angle below every number": "camera { location -z angle 1e-300 look_at 0 }",
+    "camera at no place": "camera { location 1e308 * 10 look_at 0 }",
+    "camera focused behind itself":
+        "camera { location -z look_at 0 aperture 1 focal_point -2*z blur_samples 4 }",
+    "radius that is infinite": "sphere { 0, 1e308 * 10 }",
+    "centre that is no number": "#declare A = 0 / 0; sphere { A - A, 1 }",
+    "corner that is no number": "box { -1, <1, 1, 1e308*10 - 1e308*10> }",
+    "move to infinity": "sphere { 0, 1 translate 1e308 * 10 }",
+    "scale beyond every number": "sphere { 0, 1 scale 1e200 scale 1e200 }",
+    "scale below every number": "sphere { 0, 1 scale 1e-200 scale 1e-200 }",
+    "scale below every number, in two objects":
+        "union { sphere { 0, 1 scale 1e-60 } scale 1e-60 }",
+    "flat matrix": "sphere { 0, 1 matrix <1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0> }",
+}
 
-
-PICTURES = {
-    "png of 0 x 0": ("png", png(0, 0, b"")),
-    "png that says 100000 x 100000": ("png", png(100000, 100000, bytes(300))),
-    "png cut in half": ("png", png(8, 8, bytes(25 * 8))[:50]),
-    "empty png": ("png", b""),
-    "text as png": ("png", b"hello, world\n"),
-    "ppm of negative size": ("ppm", b"P6 -5 1000000000 255\n"),
-    "hdr cut": ("hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 64\n\x02\x02\x00\x40\xff"),
-    "exr with garbage": ("exr", b"\x76\x2f\x31\x01" + bytes(range(256))),
-    "tiff whose directory is a loop": ("tiff", b"II*\0\x08\0\0\0" + bytes(6) + b"\x08\0\0\0"),
-    "tga with the largest fields": ("tga", b"\xff" * 18),
-    "gif cut": ("gif", b"GIF89a\x10\0\x10\0\x80\0\0"),
+ENCODINGS = {
+    "UTF-16, small end first": b"\xff\xfe" + SCENE.encode("utf-16-le"),
+    "UTF-16, large end first": b"\xfe\xff" + SCENE.encode("utf-16-be"),
+    "zero byte": SCENE.encode() + b"sphere { 0, 1 \0 }",
+    "zero byte in a file name": SCENE.encode() + b'#include "a\0b.inc"',
+    "letter of another alphabet": SCENE.encode() + "#declare \u00c4 = 1;".encode(),
+    "broken UTF-8": SCENE.encode() + b"sphere { 0, \xc3\x28 }",
 }
 
 
@@ -116,6 +200,7 @@ class HostileLanguage(ProgramTest):
         self.assert_modest(outcome)
         self.assertEqual(outcome.status, 1, outcome.output[-500:])
         self.assertRegex(outcome.output, r"a\.pov:\d+:\d+: error: ")
+        self.assertEqual(outcome.output.count("error: "), 1, outcome.output[-500:])
         self.assertNotIn("root:", outcome.output)
 
     def test_broken_scenes_are_refused_with_their_place(self):
@@ -144,16 +229,53 @@ class HostileLanguage(ProgramTest):
         self.assert_modest(outcome)
         self.assertEqual(outcome.status, 1)
 
-    def test_broken_pictures_are_refused(self):
-        for name, (kind, data) in PICTURES.items():
-            with self.subTest(case=name):
-                self.write(f"p.{kind}", data)
-                self.assert_refused(self.attempt(
-                    SCENE + f'plane {{ y, -1 pigment {{ image_map {{ {kind} "p.{kind}" }} }} }}'))
+    def test_brackets_that_never_close_are_refused(self):
+        for before, opener in OPENERS:
+            with self.subTest(opener=opener, before=before):
+                self.assert_refused(self.attempt(SCENE + before + opener * 100000))
 
-    def test_a_font_that_is_none_is_refused(self):
-        self.write("f.ttf", "this is no font\n" * 100)
-        self.assert_refused(self.attempt(SCENE + 'text { ttf "f.ttf" "A" 1, 0 }'))
+    def test_pictures_of_nothing_are_refused(self):
+        for name, text in PICTURE_OF_NOTHING.items():
+            with self.subTest(case=name):
+                self.assert_refused(self.attempt(SCENE + text))
+
+    def test_texts_in_other_encodings_are_refused(self):
+        for name, content in ENCODINGS.items():
+            with self.subTest(case=name):
+                self.assert_refused(self.attempt(content))
+
+    def test_line_ends_of_every_kind_count(self):
+        for end in ("\n", "\r\n", "\r"):
+            with self.subTest(end=end):
+                text = "#version 3.7;\n// a comment\n/* two\nlines */\nsphere { 0, }\n"
+                outcome = self.attempt(text.replace("\n", end).encode())
+                self.assert_refused(outcome)
+                self.assertIn("a.pov:5:13: error:", outcome.output)
+
+    def test_each_budget_names_its_option(self):
+        for option, least, text in BUDGETS:
+            with self.subTest(option=option):
+                outcome = self.attempt(SCENE + text, f"--{option}", least)
+                self.assert_refused(outcome)
+                self.assertIn(f"raise the limit with --{option}", outcome.output)
+                self.assertEqual(self.attempt(SCENE + text).status, 0)
+
+    def test_messages_have_no_commands_for_the_terminal(self):
+        outcome = self.attempt(SCENE + '#warning "\\u001b[2J" #include "\x1b]0;x\x07.inc"')
+        self.assert_refused(outcome)
+        self.assertNotIn("\x1b", outcome.output)
+
+    def test_an_old_language_version_can_be_asked_for(self):
+        for version in ("3.1", "3.5", "3.7"):
+            outcome = self.attempt("#debug str(version, 0, 1)\n", f"+MV{version}")
+            self.assertEqual(outcome.status, 0)
+            self.assertIn(version, outcome.output)
+            self.assertNotIn("warning", outcome.output)
+
+    def test_an_included_header_is_read_first(self):
+        self.write("first.inc", "#version 3.7; #declare Size = 1;\n")
+        outcome = self.attempt("sphere { 0, Size }\n", "+HIfirst.inc")
+        self.assertEqual(outcome.status, 0, outcome.output)
 
 
 if __name__ == "__main__":

@@ -29,7 +29,11 @@ constexpr OwnOption kOwnOptions[] = {
     {"--max-steps", "N", "Max_Steps", "of the scene's program"},
     {"--max-objects", "N", "Max_Objects", "that a scene may make"},
     {"--max-nesting", "N", "Max_Nesting", "of braces, macros and includes"},
-    {"--max-seconds", "S", "Max_Seconds", "for reading the scene; 0: no limit"},
+    {"--max-string-bytes", "N", "Max_String_Bytes", "of one string of a scene"},
+    {"--max-array-elements", "N", "Max_Array_Elements", "of one array of a scene"},
+    {"--max-written-bytes", "N", "Max_Written_Bytes", "that a scene may write to files"},
+    {"--max-scene-bytes", "N", "Max_Scene_Bytes", "of memory for reading a scene"},
+    {"--max-read-seconds", "S", "Max_Read_Seconds", "for reading a scene; 0: no limit"},
     {"--max-pixels", "N", "Max_Pixels", "of the image"},
 };
 
@@ -93,6 +97,12 @@ bool is_ini(const std::string& argument) {
   return lower.ends_with(".ini") || (lower.ends_with(']') && lower.find('[') != std::string::npos);
 }
 
+/// `Create_Ini=a.ini` is no INI file.
+bool is_key_and_value(const std::string& argument) {
+  const std::size_t equals = argument.find('=');
+  return equals != std::string::npos && argument.find_first_of("./[") > equals;
+}
+
 Result<void> read_one(AppSettings& settings, const std::vector<std::string>& arguments,
                       std::size_t& at) {
   const std::string& argument = arguments[at];
@@ -105,7 +115,7 @@ Result<void> read_one(AppSettings& settings, const std::vector<std::string>& arg
   if (argument.size() > 1 && (argument[0] == '+' || argument[0] == '-')) {
     return apply_switch(settings, argument);
   }
-  if (is_ini(argument)) return read_ini(settings, argument);
+  if (is_ini(argument) && !is_key_and_value(argument)) return read_ini(settings, argument);
   if (const std::size_t equals = argument.find('='); equals != std::string::npos) {
     return set_option(settings, argument.substr(0, equals), argument.substr(equals + 1));
   }

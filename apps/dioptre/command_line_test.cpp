@@ -123,6 +123,30 @@ TEST(CommandLine, AnUnknownOptionNamesTheNearest) {
   EXPECT_FALSE(read_arguments(settings, {"+Z99"}));
 }
 
+TEST(CommandLine, OptionsWithoutEffectAreNotedOnce) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(parse({"+C", "+UF", "Continue_Trace=on"}).without_effect,
+            (Names{"Continue_Trace", "Field_Render"}));
+  EXPECT_EQ(parse({"-C", "-UF", "-D", "+UV", "Bounding_Threshold=3"}).without_effect, Names{});
+  EXPECT_EQ(parse({"Create_Ini=a.ini"}).without_effect, Names{"Create_Ini"});
+}
+
+TEST(CommandLine, EachBudgetHasAnOption) {
+  const AppSettings s =
+      parse({"--max-steps=1", "--max-objects=2", "--max-nesting=3", "--max-string-bytes=4",
+             "--max-array-elements=5", "--max-written-bytes=6", "--max-scene-bytes=7",
+             "--max-read-seconds=8", "--max-pixels=9"});
+  EXPECT_EQ(s.max_steps, 1u);
+  EXPECT_EQ(s.max_objects, 2u);
+  EXPECT_EQ(s.max_nesting, 3u);
+  EXPECT_EQ(s.max_string_bytes, 4u);
+  EXPECT_EQ(s.max_array_elements, 5u);
+  EXPECT_EQ(s.max_written_bytes, 6u);
+  EXPECT_EQ(s.max_scene_bytes, 7u);
+  EXPECT_EQ(s.max_read_seconds, 8);
+  EXPECT_EQ(s.max_pixels, 9u);
+}
+
 TEST(CommandLine, BadValuesAreRefused) {
   for (const char* bad :
        {"+W",          "+W0",        "+W-5",           "+W1e30",
@@ -187,6 +211,11 @@ TEST(Frames, NamesAreAsPovRayHasThem) {
   EXPECT_EQ(output_path(parse({"scene.pov", "+FP"}), 0), "scene.ppm");
   EXPECT_EQ(output_path(parse({"scene.pov", "+Oa.png", "+KFF100"}), 7), "a007.png");
   EXPECT_EQ(output_path(parse({"scene.pov", "+O-"}), 0), "-");
+}
+
+TEST(Frames, DevicesKeepTheirNames) {
+  EXPECT_EQ(output_path(parse({"scene.pov", "+O/dev/null"}), 0), "/dev/null");
+  EXPECT_EQ(output_path(parse({"scene.pov", "+O/dev/full", "+FP", "+KFF9"}), 3), "/dev/full");
 }
 
 TEST(Frames, SubsetsAndStepsKeepTheClock) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <optional>
 #include <string>
 
 #include "dioptre/io/load_scene.h"
@@ -12,8 +14,9 @@ namespace dioptre::app {
 enum ExitCode : int { kSuccess = 0, kFailure = 1, kStopped = 2, kUsage = 64 };
 
 /// Reads the scene of one frame: POV-Ray's language, or a `.json` dump. Messages go to the standard
-/// error.
-Result<LoadedScene> load(const AppSettings& settings, std::int64_t frame);
+/// error; nothing if there is no scene. `cancel` ends the reading when it becomes true.
+std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
+                                const std::atomic<bool>* cancel = nullptr);
 
 /// Renders all frames that the settings ask for.
 int render_command(const AppSettings& settings);
@@ -21,6 +24,9 @@ int render_command(const AppSettings& settings);
 int dump_command(const AppSettings& settings);
 /// Prints how much there is in a scene.
 int info_command(const AppSettings& settings);
+
+/// Prints a message to the standard error.
+void print_message(const Diagnostic& message);
 
 /// Prints "dioptre: error: ..." to the standard error and returns kFailure.
 int report_error(const std::string& message);

@@ -29,6 +29,15 @@ const char* extension(char file_type) {
   }
 }
 
+/// Whether the path is of something written in place: a device or a pipe.
+bool is_device(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto type = std::filesystem::status(path, ignored).type();
+  using Type = std::filesystem::file_type;
+  return type == Type::character || type == Type::block || type == Type::fifo ||
+         type == Type::socket;
+}
+
 /// A bound of the subset: a share of all frames if under 1.
 std::int64_t subset_frame(const AppSettings& s, double bound) {
   if (bound >= 1) return static_cast<std::int64_t>(bound);
@@ -67,6 +76,7 @@ std::string output_path(const AppSettings& settings, std::int64_t frame) {
   const fs::path scene = settings.input == "-" ? fs::path("stdin") : fs::path(settings.input);
   fs::path path = settings.output;
   std::error_code ignored;
+  if (is_device(path)) return path.string();
   if (path.empty() || !path.has_filename() || fs::is_directory(path, ignored)) {
     path /= scene.stem();
     path += extension(settings.file_type);

@@ -33,7 +33,8 @@ FrameRange frame_range(const AppSettings& settings);
 double frame_clock(const AppSettings& settings, std::int64_t number);
 
 /// Where the picture goes: the output name, or the scene's name in the working folder; with the
-/// extension of its type, and the frame's number, as wide as the last one's, before that.
+/// extension of its type, and the frame's number, as wide as the last one's, before that. The name
+/// of a device or pipe stays as it is.
 std::string output_path(const AppSettings& settings, std::int64_t frame);
 
 }  // namespace dioptre::app

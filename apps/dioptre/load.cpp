@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "commands.h"
+#include "dioptre/io/file_access.h"
 #include "dioptre/render/scene_queries.h"
 #include "dioptre/scene/json.h"
 #include "frames.h"
@@ -16,6 +18,16 @@ namespace {
 constexpr const char* kIncludeFolders[] = {"/usr/local/share/povray-3.7/include",
                                            "/usr/share/povray-3.7/include"};
 
+/// Half of the machine's memory, and no more than any scene should need.
+std::uint64_t usual_scene_bytes() {
+  constexpr std::uint64_t kMost = std::uint64_t{8} << 30;
+  const auto pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || size <= 0) return kMost;
+  return std::min(kMost, static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 2);
+}
+
+constexpr std::uint64_t kMostJsonBytes = std::uint64_t{1} << 32;
+
 LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   LoadOptions options;
   options.library_paths = s.library_paths;
@@ -23,6 +35,8 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) options.library_paths.push_back(folder);
   }
+  options.include_header = s.include_header;
+  options.version = s.version;
   options.image_width = s.width;
   options.image_height = s.height;
   options.clock = frame_clock(s, frame);
@@ -37,39 +51,71 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   options.budgets.steps = s.max_steps;
   options.budgets.objects = s.max_objects;
   options.budgets.nesting = s.max_nesting;
-  options.budgets.seconds = s.max_seconds;
+  options.budgets.string_bytes = s.max_string_bytes;
+  options.budgets.array_elements = s.max_array_elements;
+  options.budgets.written_bytes = s.max_written_bytes;
+  options.budgets.memory_bytes = s.max_scene_bytes > 0 ? s.max_scene_bytes : usual_scene_bytes();
+  options.budgets.seconds = s.max_read_seconds;
   return options;
 }
 
-Result<LoadedScene> load_json(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("cannot read " + path);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  Result<Scene> scene = read_json(text);
-  if (!scene) return fail(path + ": " + scene.error().message);
-  return LoadedScene{std::move(*scene), {}};
+std::optional<LoadedScene> load_json(const std::string& path) {
+  const Result<std::string> text = FileAccess({}).read(path, kMostJsonBytes);
+  if (!text) return report_error(text.error().message), std::nullopt;
+  Result<Scene> scene = read_json(*text);
+  if (!scene) return report_error(path + ": " + scene.error().message), std::nullopt;
+  return LoadedScene{std::move(*scene), {}, {}};
+}
+
+/// What a terminal could take for a command becomes a question mark: texts come from strangers.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    if (control && c != '\n' && c != '\t') c = '?';
+  }
+  return text;
+}
+
+bool is_wanted(const AppSettings& settings, Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return settings.debug_messages;
+    case Severity::kWarning:
+      return settings.warnings;
+    case Severity::kError:
+      return true;
+  }
+  return true;
 }
 
 }  // namespace
 
-Result<LoadedScene> load(const AppSettings& settings, std::int64_t frame) {
+std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
+                                const std::atomic<bool>* cancel) {
   if (to_lower(settings.input).ends_with(".json")) return load_json(settings.input);
-  if (!settings.include_header.empty()) {
-    return fail("Include_Header is not supported; write #include into the scene");
-  }
   Diagnostics diagnostics([&](const Diagnostic& message) {
-    if (message.severity != Severity::kError && !settings.warnings) return;
-    std::fputs(to_text(message).c_str(), stderr);
+    if (is_wanted(settings, message.severity)) print_message(message);
   });
   const auto queries = make_scene_queries();
-  Result<LoadedScene> scene =
-      load_pov(settings.input, load_options(settings, frame), *queries, diagnostics);
-  if (scene && diagnostics.has_errors()) return fail("the scene has errors");
-  return scene;
+  LoadOptions options = load_options(settings, frame);
+  options.cancel = cancel;
+  Result<LoadedScene> scene = load_pov(settings.input, options, *queries, diagnostics);
+  if (scene && !diagnostics.has_errors()) return std::move(*scene);
+  if (!diagnostics.has_errors()) report_error(scene.error().message);
+  return std::nullopt;
+}
+
+void print_message(const Diagnostic& message) {
+  const bool is_note = message.severity == Severity::kNote;  // what the scene itself prints
+  const std::string name = message.file.empty() && !is_note ? "dioptre: " : "";
+  const std::string text = name + printable(is_note ? message.message : to_text(message));
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 int report_error(const std::string& message) {
-  std::fprintf(stderr, "dioptre: error: %s\n", message.c_str());
+  Diagnostic error;
+  error.message = message;
+  print_message(error);
   return kFailure;
 }
 

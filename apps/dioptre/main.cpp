@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,10 @@ int run(std::vector<std::string> arguments) {
     report_error(read.error().message);
     return read.error().own_option ? kUsage : kFailure;
   }
+  for (const std::string& name : settings.without_effect) {
+    if (!settings.warnings) break;
+    std::fprintf(stderr, "dioptre: warning: %s has no effect\n", name.c_str());
+  }
   if (settings.input.empty()) return report_error("no scene is named; see dioptre --help");
   return command(settings);
 }
@@ -60,7 +65,9 @@ int run(std::vector<std::string> arguments) {
 int main(int argc, char** argv) {
   try {
     return dioptre::app::run({argv + 1, argv + argc});
-  } catch (const std::exception& error) {  // out of memory, above all
+  } catch (const std::bad_alloc&) {
+    return dioptre::app::report_error("there is not enough memory for this picture");
+  } catch (const std::exception& error) {
     return dioptre::app::report_error(error.what());
   }
 }

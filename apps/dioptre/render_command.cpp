@@ -11,6 +11,7 @@
 #include "dioptre/integrators/render_image.h"
 #include "frames.h"
 #include "progress.h"
+#include "render_failure.h"
 #include "save.h"
 
 namespace dioptre::app {
@@ -60,27 +61,27 @@ RenderOptions render_options(const AppSettings& s) {
   return options;
 }
 
+int report_stop() {
+  std::fputs("dioptre: stopped; nothing was written\n", stderr);
+  return kStopped;
+}
+
 int render_frame(const AppSettings& settings, std::int64_t frame) {
-  const Result<LoadedScene> loaded = load(settings, frame);
-  if (!loaded) return report_error(loaded.error().message);
-  if (stop_asked) return kStopped;
-  ProgressLine line(settings.progress);
+  const std::optional<LoadedScene> loaded = load(settings, frame, &stop_asked);
+  if (stop_asked) return report_stop();
+  if (!loaded) return kFailure;
+  ProgressLine line(settings.verbose ? settings.progress : "none");
   RenderContext context;
   context.cancel = &stop_asked;
   context.progress = [&](const RenderProgress& p) { line.update(p.done, p.rays.total()); };
   const auto result = render_image(loaded->scene, render_options(settings), context);
-  if (!result) return report_error(result.error().message);
-  if (!result->cancelled) line.finish(result->rays.total());
+  if (!result) return report_render_failure(*loaded, result.error().message);
+  if (result->cancelled) return report_stop();
+  line.finish(result->rays.total());
+  if (!settings.output_to_file) return kSuccess;
   const std::string path = output_path(settings, frame);
-  if (settings.output_to_file) {
-    const auto saved = save_image(settings, path, result->image, loaded->scene.settings);
-    if (!saved) return report_error(saved.error().message);
-  }
-  if (!result->cancelled) return kSuccess;
-  std::fprintf(stderr, "dioptre: stopped; %s\n",
-               settings.output_to_file ? (path + " holds what was finished").c_str()
-                                       : "nothing was written");
-  return kStopped;
+  const auto saved = save_image(settings, path, result->image, loaded->scene.settings);
+  return saved ? kSuccess : report_error(saved.error().message);
 }
 
 Result<void> check_size(const AppSettings& s) {
@@ -98,6 +99,10 @@ int render_command(const AppSettings& settings) {
   std::signal(SIGTERM, on_signal);
   std::signal(SIGPIPE, SIG_IGN);
   const FrameRange frames = frame_range(settings);
+  if (frames.first > frames.last) {
+    return report_error("there is no frame to render: the first would be " +
+                        std::to_string(frames.first) + ", the last " + std::to_string(frames.last));
+  }
   for (std::int64_t frame = frames.first; frame <= frames.last; frame += frames.step) {
     const int code = render_frame(settings, frame);
     if (code != kSuccess) return code;

@@ -8,6 +8,7 @@
 #include "dioptre/render/render_scene.h"
 #include "dioptre/scene/json.h"
 #include "frames.h"
+#include "render_failure.h"
 
 namespace dioptre::app {
 namespace {
@@ -29,8 +30,8 @@ void print_memory() {
 }  // namespace
 
 int dump_command(const AppSettings& settings) {
-  const Result<LoadedScene> loaded = load(settings, frame_range(settings).first);
-  if (!loaded) return report_error(loaded.error().message);
+  const std::optional<LoadedScene> loaded = load(settings, frame_range(settings).first);
+  if (!loaded) return kFailure;
   const std::string path = settings.output.empty() ? "-" : settings.output;
   const auto written = write_file(path, write_json(loaded->scene));
   if (!written) return report_error(written.error().message);
@@ -38,8 +39,8 @@ int dump_command(const AppSettings& settings) {
 }
 
 int info_command(const AppSettings& settings) {
-  const Result<LoadedScene> loaded = load(settings, frame_range(settings).first);
-  if (!loaded) return report_error(loaded.error().message);
+  const std::optional<LoadedScene> loaded = load(settings, frame_range(settings).first);
+  if (!loaded) return kFailure;
   const Scene& scene = loaded->scene;
   print_count("objects", scene.objects.size());
   print_count("roots", scene.roots.size());
@@ -51,7 +52,7 @@ int info_command(const AppSettings& settings) {
   print_count("images", scene.images.size());
   print_count("lights", scene.lights.size());
   const auto compiled = RenderScene::compile(scene, {.accelerator = settings.accelerator});
-  if (!compiled) return report_error(compiled.error().message);
+  if (!compiled) return report_render_failure(*loaded, compiled.error().message);
   print_count("items", (*compiled)->items().size());
   print_bounds((*compiled)->bounds());
   print_memory();

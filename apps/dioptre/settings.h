@@ -55,20 +55,26 @@ struct AppSettings {
 
   bool verbose = true;
   bool warnings = true;
-  std::string progress = "auto";  ///< auto, plain, json, none
+  bool debug_messages = true;               ///< what scenes print by #debug and the like
+  std::vector<std::string> without_effect;  ///< options that ask for what does not happen
+  std::string progress = "auto";            ///< auto, plain, json, none
 
+  /// Limits on what a scene may ask for; see LoadBudgets.
   std::uint64_t max_steps = 4'000'000'000, max_objects = 50'000'000;
   std::uint32_t max_nesting = 4000;
-  std::uint64_t max_pixels = std::uint64_t{1} << 28;
-  double max_seconds = 0;
+  std::uint64_t max_string_bytes = 64u << 20, max_array_elements = 64u << 20;
+  std::uint64_t max_written_bytes = 1u << 30;
+  std::uint64_t max_scene_bytes = 0;  ///< 0: half of the machine's memory, at most 8 GiB
+  double max_read_seconds = 3600;     ///< 0: no limit
+  std::uint64_t max_pixels = std::uint64_t{1} << 28;  ///< of the picture
 
   std::uint32_t ini_depth = 0;  ///< how many INI files are being read, one within the other
   bool operator==(const AppSettings&) const = default;
 };
 
 /// Sets one option by its INI name, in any case: set(s, "Width", "640"). The error of an unknown
-/// name says which known one is nearest. Options of POV-Ray that have no meaning here (display,
-/// buffers, radiosity files) are checked and then ignored.
+/// name says which known one is nearest. Options of POV-Ray that have no meaning here go into
+/// `without_effect` if their value asks for something.
 Result<void> set_option(AppSettings& settings, std::string_view key, const std::string& value);
 
 /// All INI names, in alphabetical order.

@@ -26,11 +26,16 @@ def run(command, cwd=None, cpu_seconds=60, wall_seconds=None, address_space=None
     """Runs a command; a limit that is reached ends it with a signal.
 
     The processor limit sends SIGXCPU, the wall limit kills. `interrupt_after` sends SIGINT after so
-    many seconds.
+    many seconds. Setting limits costs the program about a millisecond: without processor limit
+    (None) and address space none are set but the wall limit.
     """
     if wall_seconds is None:
-        wall_seconds = 4 * cpu_seconds + 30
-    limits = ["prlimit", f"--cpu={int(cpu_seconds)}:{int(cpu_seconds) + 2}", "--core=0:0"]
+        wall_seconds = 4 * (cpu_seconds or 60) + 30
+    limits = []
+    if cpu_seconds or address_space:
+        limits = ["prlimit", "--core=0:0"]
+    if cpu_seconds:
+        limits.append(f"--cpu={int(cpu_seconds)}:{int(cpu_seconds) + 2}")
     if address_space:
         limits.append(f"--as={address_space}")
     with tempfile.TemporaryFile() as log:

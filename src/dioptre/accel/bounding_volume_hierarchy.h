@@ -23,7 +23,7 @@ class BoundingVolumeHierarchy {
  public:
   /// A subtree: an inner node if count is 0, else the items order_[first, first + count).
   struct Child {
-    std::uint32_t first = 0, count = 0;
+    std::uint32_t first, count;  ///< not set at first: walks keep long stacks of these
   };
 
   BoundingVolumeHierarchy() = default;
@@ -118,7 +118,7 @@ class BoundingVolumeHierarchy {
 
   Bounds bounds_;
   SlabBox root_box_;
-  Child root_;
+  Child root_{};
   bool has_root_ = false;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;

@@ -10,8 +10,6 @@
 namespace dioptre {
 namespace {
 
-using Row = std::array<double, kMaxDegree + 1>;
-
 /// 1 / C(n,k) for all degrees.
 class InverseBinomials {
  public:
@@ -24,10 +22,10 @@ class InverseBinomials {
       }
     }
   }
-  const Row& of(std::size_t n) const { return of_[n]; }
+  const std::array<double, kMaxDegree + 1>& of(std::size_t n) const { return of_[n]; }
 
  private:
-  Row of_[kMaxDegree + 1];
+  std::array<double, kMaxDegree + 1> of_[kMaxDegree + 1];
 };
 constexpr InverseBinomials kInverseBinomials;
 
@@ -55,13 +53,15 @@ class Search {
   }
 
  private:
+  using Row = std::array<double, (kDegree != 0 ? kDegree : kMaxDegree) + 1>;
+
   std::size_t degree() const { return kDegree != 0 ? kDegree : c_.size() - 1; }
 
   /// The polynomial in t = sign s on [0, 1]: b[i] = sum of C(i,k) / C(n,k) c[k] over k, the
   /// binomials by repeated sums.
   void to_bernstein(double sign, Row& b) const {
     const std::size_t n = degree();
-    const Row& inverse = kInverseBinomials.of(n);
+    const auto& inverse = kInverseBinomials.of(n);
     double power = 1;
     for (std::size_t k = 0; k <= n; ++k, power *= sign) b[k] = power * c_[k] * inverse[k];
     for (std::size_t round = 1; round <= n; ++round) {
@@ -69,11 +69,12 @@ class Search {
     }
   }
 
-  /// Value and slope at t (Horner's scheme).
-  void evaluate(double t, double& value, double& slope) const {
+  /// Value, slope and half the second derivative at t (Horner's scheme).
+  void evaluate(double t, double& value, double& slope, double& bend) const {
     value = c_[degree()];
-    slope = 0;
+    slope = bend = 0;
     for (std::size_t k = degree(); k-- > 0;) {
+      bend = bend * t + slope;
       slope = slope * t + value;
       value = value * t + c_[k];
     }
@@ -81,9 +82,10 @@ class Search {
 
   void add(double low, double high, double at_low, double at_high) {
     const bool rises = at_low < 0;
-    const double t = bracketed_newton(
-        [this](double at, double& value, double& slope) { evaluate(at, value, slope); }, low, high,
-        low + at_low / (at_low - at_high) * (high - low), rises);
+    const double t =
+        bracketed_halley([this](double at, double& value, double& slope,
+                                double& bend) { evaluate(at, value, slope, bend); },
+                         low, high, low + at_low / (at_low - at_high) * (high - low), rises);
     if (!wanted_.surrounds(t)) return;
     if (roots_.count == 0) roots_.starts_negative = rises;
     roots_.t[roots_.count] = t;
@@ -135,7 +137,7 @@ int root_bound_exponent(std::span<const double> c) {
   int bound = -1100;
   for (std::size_t k = 0; k < n; ++k) {
     if (c[k] == 0) continue;
-    const int ratio = std::ilogb(c[k]) - top + 1, order = static_cast<int>(n - k);
+    const int ratio = exponent_of(c[k]) - top + 1, order = static_cast<int>(n - k);
     // Rounded up.
     bound = std::max(bound, ratio >= 0 ? (ratio + order - 1) / order : -(-ratio / order));
   }

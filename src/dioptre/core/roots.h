@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "dioptre/core/interval.h"
@@ -28,6 +30,17 @@ struct PolynomialRoots {
 /// The roots are isolated in the Bernstein basis; a bracketed Newton iteration follows.
 PolynomialRoots polynomial_roots(std::span<const double> coefficients, Interval wanted,
                                  std::size_t most = kMaxDegree);
+
+/// The exponent of a finite number that is not 0, as std::ilogb gives it; where that is below
+/// -1022, -1023.
+inline int exponent_of(double v) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(v) >> 52 & 0x7ff) - 1023;
+}
+
+/// 2^e for -1022 <= e <= 1023.
+inline double power_of_two(int e) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
 
 /// The exponent e of a power of two that is above the size of all real roots, after
 /// 2 max |c[n-k] / c[n]|^(1/k) (M. Fujiwara, "Ueber die obere Schranke des absoluten Betrages der

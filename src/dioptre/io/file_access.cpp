@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -31,12 +33,13 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-bool same_but_case(const std::string& a, const std::string& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
-           return std::tolower(static_cast<unsigned char>(x)) ==
-                  std::tolower(static_cast<unsigned char>(y));
-         });
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
+
+bool same_but_case(const std::string& a, const std::string& b) { return lower(a) == lower(b); }
 
 /// The path below `folder` whose parts are those of `name` but for upper and lower case; the first
 /// in alphabetical order; empty if there is none.
@@ -120,16 +123,17 @@ Result<FileAccess::Found> FileAccess::find(const std::string& name) const {
 
 Result<std::string> FileAccess::read(const std::string& path, std::uint64_t most_bytes) const {
   std::error_code error;
+  if (!fs::exists(path, error)) return fail("there is no file '" + path + "'");
   if (fs::is_directory(path, error)) return fail("'" + path + "' is a folder, not a file");
-  if (!is_file(path)) return fail("cannot open '" + path + "'");
+  if (!is_file(path)) return fail("'" + path + "' is no plain file");
   const std::uint64_t size = fs::file_size(path, error);
-  if (error) return fail("cannot open '" + path + "'");
+  if (error) return fail("cannot open '" + path + "': " + error.message());
   if (size > most_bytes)
     return fail("'" + path + "' is larger than " + std::to_string(most_bytes) + " bytes");
   std::ifstream in(path, std::ios::binary);
   std::string text(size, '\0');
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(size))) {
-    return fail("cannot read '" + path + "'");
+    return fail("cannot read '" + path + "': " + std::strerror(errno));
   }
   return text;
 }
@@ -138,16 +142,28 @@ Result<std::string> FileAccess::writable(const std::string& name) const {
   if (name.empty()) return fail("a file name is empty");
   if (name.find('\0') != std::string::npos) return fail("a file name has a zero byte in it");
   const std::string path = resolved(name);
-  if (path.empty() || !is_below_any(path, writable_)) {
+  const auto folder = std::find_if(writable_.begin(), writable_.end(),
+                                   [&](const std::string& f) { return is_below(path, f); });
+  if (path.empty() || folder == writable_.end()) {
     return fail("'" + name + "' may not be written: it is outside the folders of this scene");
   }
-  std::string ending = fs::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (path == scene_file_ || (ending == ".pov" && is_file(path))) {
-    return fail("'" + name + "' may not be written: it is a scene");
-  }
+  const std::string reason = why_not(path, *folder);
+  if (!reason.empty()) return fail("'" + name + "' may not be written: it is " + reason);
   return path;
+}
+
+/// What forbids to write a file that is below a folder for writing; empty if nothing does.
+std::string FileAccess::why_not(const std::string& path, const std::string& folder) const {
+  std::error_code error;
+  // A link that is left after resolving leads to nothing yet.
+  if (fs::is_symlink(path, error)) return "a link to a file that is not there";
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return "no plain file";
+  if (path.find("/.", folder.size()) != std::string::npos) return "hidden";
+  const std::string ending = lower(fs::path(path).extension().string());
+  if (ending == ".ini") return "a file of settings";
+  if (path == scene_file_ || (ending == ".pov" && fs::exists(status))) return "a scene";
+  return {};
 }
 
 }  // namespace dioptre

@@ -31,11 +31,13 @@ class FileAccess {
   Result<Found> find(const std::string& name) const;
   /// The whole file. Fails on folders, devices, and over `most_bytes`.
   Result<std::string> read(const std::string& path, std::uint64_t most_bytes) const;
-  /// The path to write a file to, if that is allowed.
+  /// The path to write a file to, if that is allowed: not over a scene, a file of settings or
+  /// anything hidden.
   Result<std::string> writable(const std::string& name) const;
 
  private:
   bool may_read(const std::filesystem::path& path) const;
+  std::string why_not(const std::string& path, const std::string& folder) const;
 
   Options options_;
   std::string current_;

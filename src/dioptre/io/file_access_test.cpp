@@ -71,6 +71,15 @@ TEST_F(FileAccessTest, WritesBelowTheSceneButNeverAScene) {
   EXPECT_FALSE(access.writable(root_ / "library/x.txt"));
 }
 
+TEST_F(FileAccessTest, WritesNothingThatOtherProgramsWouldObey) {
+  const FileAccess access(options_);
+  fs::create_symlink(root_ / "secret/new.txt", root_ / "scene/dangling.txt");
+  for (const char* name : {".profile", "sub/.git/config", "povray.INI", "dangling.txt", "sub"}) {
+    EXPECT_FALSE(access.writable(root_ / "scene" / name)) << name;
+  }
+  EXPECT_TRUE(access.writable(root_ / "scene/data.v2.txt"));
+}
+
 TEST_F(FileAccessTest, ReadsFilesOnlyAndOnlyAsLongAsAllowed) {
   const FileAccess access(options_);
   EXPECT_EQ(access.read(root_ / "scene/a.pov", 100).value(), "scene/a.pov");

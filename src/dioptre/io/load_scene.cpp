@@ -3,10 +3,9 @@
 
 #include <pthread.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <iostream>
-#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -17,15 +16,16 @@
 namespace dioptre {
 namespace {
 
-constexpr std::size_t kStackBytes = std::size_t{512} << 20;
+constexpr std::size_t kStackBytes = std::size_t{64} << 20;
+constexpr std::size_t kStackBytesPerLevel = std::size_t{32} << 10;
 constexpr std::uint64_t kMostSourceBytes = 256u << 20;
 
 /// Runs `work` on a thread of its own, whose stack is large enough for the deepest nesting that the
 /// budgets allow. False if there is no such thread to be had.
-bool run_with_large_stack(std::function<void()> work) {
+bool run_with_stack_for(std::uint32_t levels, std::function<void()> work) {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, kStackBytes);
+  pthread_attr_setstacksize(&attributes, kStackBytes + levels * kStackBytesPerLevel);
   const auto start = [](void* argument) -> void* {
     (*static_cast<std::function<void()>*>(argument))();
     return nullptr;
@@ -57,40 +57,88 @@ void report_error(Diagnostics& diagnostics, std::string message) {
 std::optional<LoadedScene> read_text(const std::string& name, std::string text,
                                      const LoadOptions& options, SceneQueries& queries,
                                      Diagnostics& diagnostics) {
+  const bool is_file = name != "-";
+  std::unique_ptr<pov::Interpreter> interpreter;
+  const auto out_of_memory = [&] {
+    if (interpreter) return diagnostics.report(interpreter->out_of_memory());
+    report_error(diagnostics, "there is not enough memory to begin");
+  };
   try {
     const FileAccess access(access_options(name, options));
-    pov::Interpreter interpreter(options, access, queries, diagnostics);
-    interpreter.run(name == "-" ? "standard input" : name, std::move(text));
-    return interpreter.take_result();
+    interpreter = std::make_unique<pov::Interpreter>(options, access, queries, diagnostics);
+    interpreter->run(is_file ? name : "standard input", std::move(text), is_file ? name : "");
+    return interpreter->take_result();
   } catch (pov::Failure& failure) {
     diagnostics.report(std::move(failure.diagnostic));
   } catch (const std::bad_alloc&) {
-    report_error(diagnostics, "there is not enough memory for this scene");
+    out_of_memory();
   } catch (const std::length_error&) {
-    report_error(diagnostics, "there is not enough memory for this scene");
+    out_of_memory();
   } catch (const std::filesystem::filesystem_error& error) {
     report_error(diagnostics, std::string("a file cannot be reached: ") + error.what());
   }
   return std::nullopt;
 }
 
-Result<std::string> read_scene_file(const std::string& path) {
-  if (path == "-") {
-    std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    return text;
+/// All of the standard input.
+Result<std::string> read_input(std::uint64_t most_bytes) {
+  std::string text;
+  char block[1 << 16];
+  while (const std::size_t size = std::fread(block, 1, sizeof block, stdin)) {
+    if (text.size() + size > most_bytes) {
+      return fail("the standard input is larger than " + std::to_string(most_bytes) + " bytes");
+    }
+    text.append(block, size);
   }
+  return text;
+}
+
+Result<std::string> read_scene_file(const std::string& path) {
+  if (path == "-") return read_input(kMostSourceBytes);
   return FileAccess({}).read(path, kMostSourceBytes);
 }
 
+/// A line of a file, from 1; empty if it cannot be read.
+std::string line_of(const std::string& path, std::uint32_t number) {
+  const Result<std::string> text = FileAccess({}).read(path, kMostSourceBytes);
+  if (!text) return {};
+  std::string_view rest = *text;
+  for (std::uint32_t line = 1; line < number && !rest.empty(); ++line) {
+    const std::size_t end = rest.find_first_of("\r\n");
+    const bool both = end != rest.npos && rest.substr(end).starts_with("\r\n");
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + (both ? 2 : 1));
+  }
+  return std::string(rest.substr(0, rest.find_first_of("\r\n")));
+}
+
 }  // namespace
+
+Diagnostic about_object(const LoadedScene& loaded, ObjectId object, std::string message) {
+  Diagnostic d;
+  d.message = std::move(message);
+  const auto& places = loaded.source_map.objects;
+  if (object.index >= places.size() || places[object.index].line == 0) return d;
+  const SourcePosition at = places[object.index];
+  if (at.file >= loaded.source_map.files.size()) return d;
+  d.file = loaded.source_map.files[at.file];
+  d.line = at.line;
+  d.column = at.column;
+  if (at.file < loaded.paths.size()) d.source_line = line_of(loaded.paths[at.file], at.line);
+  return d;
+}
 
 Result<LoadedScene> load_pov_text(const std::string& name, std::string text,
                                   const LoadOptions& options, SceneQueries& queries,
                                   Diagnostics& diagnostics) {
   std::optional<LoadedScene> scene;
-  const bool ran = run_with_large_stack(
-      [&] { scene = read_text(name, std::move(text), options, queries, diagnostics); });
-  if (!ran) return fail("no thread with a stack of 512 MiB can be started");
+  const bool ran = run_with_stack_for(options.budgets.nesting, [&] {
+    scene = read_text(name, std::move(text), options, queries, diagnostics);
+  });
+  if (!ran) {
+    report_error(diagnostics, "there is not enough memory for " +
+                                  std::to_string(options.budgets.nesting) + " levels of nesting");
+    return fail("no thread with so large a stack can be started");
+  }
   if (!scene) return fail("'" + name + "' could not be read");
   return std::move(*scene);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -21,14 +22,18 @@ struct LoadBudgets {
   std::uint64_t objects = 50'000'000;
   std::uint32_t nesting = 4000;              ///< of braces, parentheses, macros and includes
   std::uint64_t string_bytes = 64u << 20;    ///< of one string
-  std::uint64_t array_elements = 64u << 20;  ///< of all arrays
-  std::uint64_t written_bytes = 1u << 30;    ///< by #write
-  double seconds = 0;                        ///< 0: no limit
+  std::uint64_t array_elements = 64u << 20;  ///< of one array
+  std::uint64_t written_bytes = 1u << 30;    ///< by #write, and as messages
+  /// By which the memory of the process may grow while a scene is read.
+  std::uint64_t memory_bytes = std::uint64_t{8} << 30;
+  double seconds = 3600;  ///< 0: no limit
 };
 
 /// What the surroundings give to a scene.
 struct LoadOptions {
   std::vector<std::string> library_paths;  ///< searched after the scene's own folder
+  std::string include_header;              ///< a file that is read before the scene; empty: none
+  double version = 0;  ///< of the language, until the scene says another; 0: it must say
   std::uint32_t image_width = 320, image_height = 240;
   double clock = 0, clock_delta = 0;
   bool clock_on = false;
@@ -38,12 +43,18 @@ struct LoadOptions {
   std::vector<std::string> readable_paths,
       writable_paths;  ///< beyond the scene's and library folders
   LoadBudgets budgets;
+  const std::atomic<bool>* cancel = nullptr;  ///< set to true: the reading ends with an error
 };
 
 struct LoadedScene {
   Scene scene;
   SourceMap source_map;
+  std::vector<std::string> paths;  ///< of the source map's files; empty for one that is no file
 };
+
+/// A message about an object of a scene: with the place where it was written and its line, as far
+/// as they are known.
+Diagnostic about_object(const LoadedScene& loaded, ObjectId object, std::string message);
 
 /// Reads a scene in POV-Ray's scene description language. `path` "-" is the standard input. All
 /// messages go to `diagnostics`; the result is an Error only if there is no scene.

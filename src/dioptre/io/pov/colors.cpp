@@ -101,7 +101,7 @@ Numeric Interpreter::to_color(const Numeric& n) {
 /// `red F` and the like sets one component.
 void Interpreter::color_component(Numeric& color) {
   const auto k = static_cast<Keyword>(next().index);
-  const double value = as_float(sum());
+  const double value = parse_float();
   switch (k) {
     case Keyword::kRed:
       color.v[0] = value;

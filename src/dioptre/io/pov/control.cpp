@@ -68,8 +68,7 @@ void Interpreter::run_ifdef(const Token& token, bool wanted) {
 bool Interpreter::parse_defined() {
   if (!raw().is('('))
     fail_at(raw().position, "expected '(' before the name, found " + found(raw()));
-  skip_raw();
-  ++depth_;
+  open_raw();
   const SourcePosition where = raw().position;
   const Symbol name = raw_identifier("a name");
   Binding* binding = scopes_.find(name);
@@ -77,7 +76,7 @@ bool Interpreter::parse_defined() {
   if (raw().is('[')) {
     Subscripts subscripts;
     parse_subscripts(subscripts);
-    if (!binding) fail_at(where, "'" + symbols_.name(name) + "' is not declared");
+    if (!binding) fail_undeclared(where, name);
     value = locate(binding->value, subscripts, where, false);
   }
   expect(')', "after the name");
@@ -156,18 +155,17 @@ bool Interpreter::next_round(Block& block) {
 
 void Interpreter::run_for(const Token& token) {
   if (!raw().is('(')) fail_at(raw().position, "expected '(' after #for, found " + found(raw()));
-  skip_raw();
-  ++depth_;
+  open_raw();
   Block block;
   block.kind = Block::Kind::kFor;
   block.end = end_of(token);
   block.scope = scopes_.level();
   block.variable = new_name("the name of the loop's variable");
   expect(',', "after the loop's variable");
-  const double first = as_float(full());
+  const double first = float_argument();
   expect(',', "after the first value");
-  block.last = as_float(full());
-  block.step = accept(',') ? as_float(full()) : 1;
+  block.last = float_argument();
+  block.step = accept(',') ? float_argument() : 1;
   if (!at(')')) fail_expected("')' after the values of #for");
   if (std::fabs(block.step) < kEqualityTolerance || std::isnan(block.step)) {
     fail("the step of #for is 0", "it must lead from the first value to the last");
@@ -231,7 +229,7 @@ void Interpreter::run_switch(const Token& token) {
   expect('(', "before the value of #switch");
   Block block;
   block.kind = Block::Kind::kSwitch;
-  block.value = as_float(full());
+  block.value = float_argument();
   block.end = end_of(token);
   if (!at(')')) fail_expected("')' after the value of #switch");
   next();
@@ -243,12 +241,12 @@ void Interpreter::run_switch(const Token& token) {
 bool Interpreter::case_holds(const Token& token) {
   const double value = blocks_.back().value;
   expect('(', "before the value");
-  const double low = as_float(full());
+  const double low = float_argument();
   double high = low;
   const bool range = static_cast<Keyword>(token.index) == Keyword::kRange;
   if (range) {
     expect(',', "after the lower value");
-    high = as_float(full());
+    high = float_argument();
   }
   if (!at(')')) fail_expected("')' after the value");
   next();

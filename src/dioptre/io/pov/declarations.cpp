@@ -107,17 +107,15 @@ void Interpreter::end_declaration(const Value& value, const Target& target) {
   if (!std::holds_alternative<Numeric>(value)) return;
   if (accept(';')) return;
   if (version_given_ && version_ < 3.5) return;
-  Diagnostic d =
-      diagnostic(Severity::kWarning, target.position,
-                 "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");
-  if (said_.insert(d.file + ':' + d.message).second) diagnostics_.report(std::move(d));
+  warn_once(target.position,
+            "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");
 }
 
 void Interpreter::assign(const Target& target, Value value) {
   ++effects_;
   if (target.subscripts.count > 0) {
     Binding* binding = scopes_.find(target.name);
-    if (!binding) fail_at(target.position, "'" + symbols_.name(target.name) + "' is not declared");
+    if (!binding) fail_undeclared(target.position, target.name);
     Value* place = locate(binding->value, target.subscripts, target.position, true);
     deepen(*std::get<std::shared_ptr<Array>>(binding->value), value,
            static_cast<std::uint32_t>(target.subscripts.count));
@@ -138,6 +136,7 @@ void Interpreter::assign(const Target& target, Value value) {
 
 void Interpreter::warn_deprecated(Binding& binding) {
   Diagnostic d = diagnostic(Severity::kWarning, cursor_->position, binding.deprecation);
+  count_message(d.message.size() + d.source_line.size());
   diagnostics_.report(std::move(d));
   if (binding.deprecated_once) binding.deprecated = false;
 }
@@ -183,24 +182,16 @@ Value Interpreter::parse_array() {
   std::uint64_t total = 1;
   while (at('[')) {
     next();
-    const double size = as_float(full());
+    const double size = float_argument();
     if (!(size >= 1)) fail("an array needs at least one element", "write array[SIZE]");
-    if (size > static_cast<double>(options_.budgets.array_elements)) {
-      over_budget(std::to_string(options_.budgets.array_elements) + " elements of arrays",
-                  "max-array-elements");
-    }
-    array->sizes.push_back(static_cast<std::uint32_t>(size));
-    total *= array->sizes.back();
+    constexpr double kLargest = 4294967295;
+    array->sizes.push_back(static_cast<std::uint32_t>(std::min(size, kLargest)));
     if (array->sizes.size() > 5) fail("an array has at most 5 dimensions");
-    array_elements_ += array->sizes.size() == 1 ? 0 : 1;
-    if (total + array_elements_ > options_.budgets.array_elements) {
-      over_budget(std::to_string(options_.budgets.array_elements) + " elements of arrays",
-                  "max-array-elements");
-    }
+    total *= array->sizes.back();
+    check_elements(total);
     expect(']', "after the size");
   }
   if (array->sizes.empty()) fail_expected("'[' and the size of the array");
-  array_elements_ += total;
   array->elements.resize(total);
   if (!pending_ && peek().is('{')) {
     std::size_t place = 0;
@@ -236,9 +227,7 @@ void Interpreter::deepen(Array& array, const Value& element, std::uint32_t level
   const Array* inner = get_if<Array>(element);
   if (!inner) return;
   array.depth = std::max(array.depth, inner->depth + levels);
-  if (array.depth > options_.budgets.nesting) {
-    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
-  }
+  if (array.depth > options_.budgets.nesting) over_nesting();
 }
 
 /// `[i][j]...` at the next tokens.
@@ -250,7 +239,7 @@ void Interpreter::parse_subscripts(Subscripts& subscripts) {
     const bool held = pending_;
     pending_ = false;
     ++depth_;
-    const double at = as_float(full());
+    const double at = float_argument();
     --depth_;
     pending_ = held;
     if (!peek().is(']')) fail_expected("']' after the subscript");
@@ -270,7 +259,10 @@ Value* Interpreter::locate(Value& root, const Subscripts& subscripts, SourcePosi
     if (!holder) {
       fail_at(where, "expected an array before '[', found a " + std::string(type_name(*value)));
     }
-    if (for_change && holder->use_count() > 1) *holder = std::make_shared<Array>(**holder);
+    if (for_change && holder->use_count() > 1) {
+      check_elements((*holder)->elements.size());
+      *holder = std::make_shared<Array>(**holder);
+    }
     Array& array = **holder;
     if (subscripts.count - used < array.sizes.size()) {
       fail_at(where, "expected " + std::to_string(array.sizes.size()) + " subscripts, found " +

@@ -36,7 +36,7 @@ struct SlopeMapValue {
 struct TextureMapValue {
   std::vector<TextureEntry> entries;
 };
-/// A thing that is read and checked but not rendered yet (media, density, rainbow, ...).
+/// A thing that is read and checked but not rendered yet (media, density, ...).
 struct UnrenderedValue {
   std::uint16_t keyword = 0;
 };
@@ -46,7 +46,7 @@ struct UnrenderedValue {
 /// normals and interiors are in the scene already; a use that changes one appends a copy.
 using Described =
     std::variant<Object, LightsValue, TextureId, PigmentId, NormalId, Finish, InteriorId,
-                 MaterialValue, Camera, Affine, Fog, SkySphere, ColorMapValue, PigmentMapValue,
+                 MaterialValue, Camera, Affine, Fog, Rainbow, SkySphere, ColorMapValue, PigmentMapValue,
                  NormalMapValue, SlopeMapValue, TextureMapValue, UnrenderedValue>;
 using DescribedPtr = std::shared_ptr<const Described>;
 

@@ -68,7 +68,8 @@ void Interpreter::run_directive(const Token& token) {
       return run_write();
     default:
       if (symbols_.name(token.index).empty()) return warn("a '#' without a directive: ignored");
-      fail_at(token.position, "'#" + symbols_.name(token.index) + "' is no directive");
+      fail_at(token.position, "'#" + symbols_.name(token.index) + "' is no directive",
+              meant(token.index, "did you mean '"));
   }
 }
 
@@ -76,16 +77,13 @@ void Interpreter::run_directive(const Token& token) {
 void Interpreter::run_message(Keyword keyword) {
   const SourcePosition where = (cursor_ - 1)->position;
   std::string text = parse_string();
-  written_ += text.size() + 1;
-  if (written_ > options_.budgets.written_bytes) {
-    over_budget(std::to_string(options_.budgets.written_bytes) + " bytes of messages and files",
-                "max-written-bytes");
-  }
+  count_message(text.size());
   ++effects_;
   if (keyword == Keyword::kError) fail_at(where, std::move(text));
   if (keyword == Keyword::kWarning) {
-    diagnostics_.report(diagnostic(Severity::kWarning, where, std::move(text)));
-    return;
+    Diagnostic warning = diagnostic(Severity::kWarning, where, std::move(text));
+    count_message(warning.source_line.size());
+    return diagnostics_.report(std::move(warning));
   }
   Diagnostic note;
   note.severity = Severity::kNote;
@@ -97,11 +95,14 @@ std::shared_ptr<const Program> Interpreter::load_program(const std::string& name
   const std::string path = find_file(name);
   if (const auto known = cache_.find(path); known != cache_.end()) return known->second;
   Result<std::string> text = access_.read(path, kMostSourceBytes);
-  if (!text) fail(text.error().message);
+  if (!text) fail_at(file_name_at_, text.error().message);
+  charge(text->size());
   const auto file = static_cast<std::uint32_t>(programs_.size());
-  auto program = std::make_shared<Program>(lex(name, std::move(*text), file, symbols_));
+  auto program =
+      std::make_shared<Program>(lex(name, std::move(*text), file, symbols_, most_tokens()));
   programs_.push_back(program);
   source_map_.files.push_back(name);
+  paths_.push_back(path);
   cache_[path] = program;
   return program;
 }
@@ -112,7 +113,7 @@ std::string Interpreter::find_file(const std::string& name) {
     if (c == '\\') c = '/';
   }
   Result<FileAccess::Found> file = access_.find(wanted);
-  if (!file) fail(file.error().message);
+  if (!file) fail_at(file_name_at_, file.error().message);
   if (wanted != name) warn("'\\' in the file name '" + name + "' is read as '/'");
   if (file->other_case) {
     warn("the file '" + name + "' was found in other upper or lower case: " + file->path);
@@ -123,15 +124,16 @@ std::string Interpreter::find_file(const std::string& name) {
 void Interpreter::run_include() {
   const SourcePosition where = (cursor_ - 1)->position;
   ready_ = false;
-  const std::string name = parse_file_name();
+  enter_file(parse_file_name(), where);
+}
+
+void Interpreter::enter_file(const std::string& name, SourcePosition where) {
   std::size_t files = 0;
   for (const Frame& frame : frames_) files += !frame.macro;
   if (files >= kMostIncludes) {
     fail_at(where, "more than " + std::to_string(kMostIncludes) + " files include each other");
   }
-  if (frames_.size() + nesting_ >= options_.budgets.nesting) {
-    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
-  }
+  if (frames_.size() + nesting_ >= options_.budgets.nesting) over_nesting();
   const auto program = load_program(name);
   ++effects_;
   frames_.push_back({program_, cursor_, nullptr, where, blocks_.size(), {}});
@@ -143,18 +145,22 @@ void Interpreter::run_include() {
 
 void Interpreter::run_version() {
   const SourcePosition where = cursor_->position;
-  const double wanted = as_float(sum());
+  const double wanted = parse_float();
   if (!(wanted >= 0 && wanted <= 3.85)) {
     fail_at(where,
             "this is POV-Ray 3.7's language, version " + formatted(wanted, 0, 1) + " is not known");
   }
   if (wanted > 3.75) warn("version 3.8 is read as 3.7");
   // A semicolon may be taken only if it is here: what follows may depend on the new version.
-  version_ = wanted > 3.75 ? 3.7 : wanted;
-  scene_.settings.language_version = version_;
-  version_given_ = true;
+  set_version(wanted);
   ++effects_;
   if (!pending_ && cursor_->is(';')) skip_raw();
+}
+
+void Interpreter::set_version(double version) {
+  version_ = version > 3.75 ? 3.7 : version;
+  scene_.settings.language_version = version_;
+  version_given_ = true;
 }
 
 void Interpreter::run_default() {

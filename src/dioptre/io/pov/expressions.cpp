@@ -80,10 +80,10 @@ Numeric Interpreter::combine(char op, const Numeric& a, const Numeric& b) {
   return result;
 }
 
-double Interpreter::as_float(const Numeric& n) {
+double Interpreter::as_float(const Numeric& n, SourcePosition where) {
   if (n.size != 1) {
-    fail("expected a number, found a " + std::string(n.color ? "colour" : "vector"),
-         "take one of its components, as in V.x");
+    fail_at(where, "expected a number, found a " + std::string(n.color ? "colour" : "vector"),
+            "take one of its components, as in V.x");
   }
   return n.v[0];
 }
@@ -225,7 +225,7 @@ Numeric Interpreter::name_value() {
   const Value* value = operand();
   if (!value) {
     const Token token = peek();
-    fail_at(token.position, "'" + symbols_.name(token.index) + "' is not declared");
+    fail_undeclared(token.position, token.index);
   }
   if (const Numeric* n = std::get_if<Numeric>(value)) {
     const Numeric copy = *n;
@@ -261,7 +261,7 @@ Numeric Interpreter::vector_literal() {
   vector.size = 0;
   while (!at('>')) {
     if (vector.size == 5) fail_expected("'>' after five components");
-    vector.v[vector.size++] = as_float(sum());
+    vector.v[vector.size++] = parse_float();
     skip_comma();
   }
   if (vector.size < 2) fail("a vector needs at least two components");
@@ -295,10 +295,11 @@ Numeric Interpreter::logical() {
 }
 
 Numeric Interpreter::full() {
+  const SourcePosition where = position();
   Numeric value = logical();
   if (!peek().is('?')) return value;
   const Nesting guard(*this);
-  const bool condition = is_true(as_float(value));
+  const bool condition = is_true(as_float(value, where));
   next();
   const Numeric yes = full();
   expect(':', "between the two values of '?'");
@@ -307,7 +308,10 @@ Numeric Interpreter::full() {
 }
 
 Numeric Interpreter::parse_numeric() { return sum(); }
-double Interpreter::parse_float() { return as_float(sum()); }
+double Interpreter::parse_float() {
+  const SourcePosition where = position();
+  return as_float(sum(), where);
+}
 bool Interpreter::parse_bool() { return is_true(parse_float()); }
 
 bool Interpreter::parse_flag() {

@@ -10,6 +10,7 @@ namespace dioptre::pov {
 namespace {
 
 constexpr std::uint64_t kMostTextBytes = 1u << 30;
+constexpr std::uint64_t kBytesPerFile = 1 << 16;  ///< that a file counts for, however short
 
 struct BinaryType {
   double least = 0, most = 0;
@@ -54,7 +55,7 @@ std::string binary(const BinaryType& type, double value) {
 std::string written(const Numeric& n) {
   if (n.size == 1) return shortest(n.v[0]);
   std::string text = "<";
-  for (std::uint8_t i = 0; i < n.size; ++i) text += (i ? "," : "") + shortest(n.v[i]);
+  for (std::uint8_t i = 0; i < n.size; ++i) (text += i ? "," : "") += shortest(n.v[i]);
   return text + "> ";
 }
 
@@ -144,12 +145,14 @@ void Interpreter::run_fopen() {
     file->path = find_file(path);
     Result<std::string> text = access_.read(file->path, kMostTextBytes);
     if (!text) fail_at(where, text.error().message);
+    charge(text->size());
     file->text = std::move(*text);
   } else if (mode.is(Keyword::kWrite) || mode.is(Keyword::kAppend)) {
     std::string wanted = path;
     for (char& c : wanted) c = c == '\\' ? '/' : c;
     Result<std::string> allowed = access_.writable(wanted);
     if (!allowed) fail_at(where, allowed.error().message);
+    count_written(kBytesPerFile);
     file->mode = TextFile::Mode::kWrite;
     file->path = *allowed;
     cache_.erase(*allowed);
@@ -175,6 +178,7 @@ std::shared_ptr<TextFile> Interpreter::parse_handle() {
 
 void Interpreter::run_fclose() {
   ++effects_;
+  const SourcePosition where = raw().position;
   const Symbol name = raw_identifier("the name of an open file");
   Binding* binding = scopes_.find(name);
   auto* file = binding ? std::get_if<std::shared_ptr<TextFile>>(&binding->value) : nullptr;
@@ -182,15 +186,17 @@ void Interpreter::run_fclose() {
     warn("the file " + symbols_.name(name) + " is not open");
     return;
   }
-  (*file)->out.close();
+  if ((*file)->mode == TextFile::Mode::kWrite) {
+    (*file)->out.close();
+    if (!(*file)->out) fail_at(where, "cannot write to '" + (*file)->path + "'");
+  }
   binding->value = std::monostate();
 }
 
 void Interpreter::run_read() {
   ++effects_;
   if (!raw().is('(')) fail_at(raw().position, "expected '(' after #read, found " + found(raw()));
-  skip_raw();
-  ++depth_;
+  open_raw();
   const Symbol handle = raw().index;
   const SourcePosition where = raw().position;
   const std::shared_ptr<TextFile> kept = parse_handle();
@@ -246,11 +252,7 @@ void Interpreter::run_write() {
       if (type.bytes == 0) text = written(n);
       for (std::uint8_t i = 0; type.bytes > 0 && i < n.size; ++i) text += binary(type, n.v[i]);
     }
-    written_ += text.size();
-    if (written_ > options_.budgets.written_bytes) {
-      over_budget(std::to_string(options_.budgets.written_bytes) + " bytes of messages and files",
-                  "max-written-bytes");
-    }
+    count_written(text.size());
     file.out << text;
   }
   expect(')', "after the values to write");

@@ -249,9 +249,10 @@ FunctionCompiler::Place FunctionCompiler::name() {
     const std::vector<Place> args = arguments();
     return call_component(spline_component(*keep), args);
   }
+  const SourcePosition where = in_.position();
   Numeric n = in_.name_value();
   if (in_.at('.')) n = in_.component(n);
-  return constant(in_.as_float(n));
+  return constant(in_.as_float(n, where));
 }
 
 FunctionCompiler::Place FunctionCompiler::keyword(Keyword k) {
@@ -264,7 +265,10 @@ FunctionCompiler::Place FunctionCompiler::keyword(Keyword k) {
   const auto code = math_code(k);
   const bool steps = code || k == Keyword::kMin || k == Keyword::kMax || k == Keyword::kSelect ||
                      k == Keyword::kSum || k == Keyword::kProd;
-  if (!steps) return constant(in_.as_float(in_.primary()));
+  if (!steps) {
+    const SourcePosition where = in_.position();
+    return constant(in_.as_float(in_.primary(), where));
+  }
   const Parser::Nesting guard(in_);
   in_.next();
   in_.expect('(', "after the name of the function");

@@ -201,7 +201,7 @@ Numeric Interpreter::call_function(const FunctionValue& function) {
   const std::span<const double> given(args.data(), count);
   Numeric value;
   if (function.pigment) {
-    const PigmentColor c = queries_.pigment(scene_, function.pigment, {args[0], args[1], args[2]});
+    const PigmentColor c = queries().pigment(scene_, function.pigment, {args[0], args[1], args[2]});
     value.v = {c.color.r, c.color.g, c.color.b, c.filter, c.transmit};
     value.size = 5;
     value.color = true;
@@ -222,7 +222,7 @@ double Interpreter::call(FunctionId id, std::span<const double> args) {
     if (const auto* spline = std::get_if<SplineFunction>(&function.body)) {
       return spline_component_value(*spline, args.empty() ? 0 : args[0]);
     }
-    return queries_.call(scene_, id, args);
+    return queries().call(scene_, id, args);
   }
   if (++calls_ > kMostCalls) fail("functions call each other more than 1024 deep");
   const double value = evaluate(formula->body, args, [this](FunctionId inner, auto inner_args) {
@@ -285,10 +285,13 @@ std::shared_ptr<const Spline> Interpreter::parse_spline() {
     knot.value = promoted(n, 5).v;
     spline->size = std::max(spline->size, n.size);
     if (!std::isfinite(knot.at)) fail("a place of a spline is not finite");
+    const bool behind = spline->knots.empty() || spline->knots.back().at < knot.at;
+    charge(sizeof knot * (behind ? 1 : spline->knots.size()));
     spline->insert(knot);
     skip_comma();
     if (spline->knots.size() > options_.budgets.array_elements) {
-      over_budget("the points allowed in a spline", "max-array-elements");
+      over_budget(std::to_string(options_.budgets.array_elements) + " points in a spline",
+                  "max-array-elements");
     }
   }
   next();

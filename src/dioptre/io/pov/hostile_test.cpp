@@ -35,6 +35,8 @@ struct Refused {
   const char* reason;
 };
 
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.reason; }
+
 class Refusal : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(Refusal, SaysWhereAndWhy) {
@@ -78,11 +80,14 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"#for(I,1e20,2e20,1) #end", "this #for never ends"},
                       Refused{"#macro A() A() #end A()", "more than 4000 levels of nesting"},
                       Refused{"#macro A(n) A(A(n)) #end A(1)", "more than 4000 levels of nesting"},
-                      Refused{"#declare A=array[1e9];", "more than 67108864 elements of arrays"},
+                      Refused{"#declare A=array[1e9];", "more than 67108864 elements in an array"},
                       Refused{"#declare S=\"ab\"; #for(I,1,40) #declare S=concat(S,S); #end",
                               "more than 67108864 bytes in a string"},
                       Refused{"#declare A=array[1]; #for(I,1,1e6) #declare A[0]=A; #end",
                               "more than 4000 levels of nesting"},
+                      Refused{"#declare U=sphere{0,1} #for(I,1,1e6) "
+                              "#declare U=union{object{U} sphere{I,1}} #end",
+                              "solids are nested more than 4000 deep"},
                       Refused{"#debug str(1,1e9,0)", "more than 1000 characters"},
                       Refused{deep("#declare A=", "("), "more than 4000 levels of nesting"},
                       Refused{deep("#declare A=", "!"), "more than 4000 levels of nesting"},
@@ -111,8 +116,42 @@ TEST(LanguageBudgets, EachCanBeLoweredAndNamesItsOption) {
   EXPECT_THAT(said(deep("#declare A=", "("), options),
               HasSubstr("raise the limit with --max-nesting"));
   options = {};
-  options.budgets.written_bytes = 10;
-  EXPECT_THAT(said("#debug \"0123456789\"", options), HasSubstr("more than 10 bytes"));
+  options.budgets.objects = 100;
+  EXPECT_THAT(said("#for(I,1,1e5) sphere{I,1} #end", options),
+              HasSubstr("raise the limit with --max-objects"));
+  options = {};
+  options.budgets.array_elements = 100;
+  EXPECT_THAT(said("#declare A=array[11][10];", options),
+              HasSubstr("raise the limit with --max-array-elements"));
+  options = {};
+  options.budgets.string_bytes = 5;
+  EXPECT_THAT(said("#debug concat(\"abc\",\"def\")", options),
+              HasSubstr("raise the limit with --max-string-bytes"));
+  options = {};
+  options.budgets.memory_bytes = 1 << 20;
+  EXPECT_THAT(said("#declare A=array[1e6];", options),
+              HasSubstr("raise the limit with --max-scene-bytes"));
+  options = {};
+  options.budgets.seconds = 1e-9;
+  EXPECT_THAT(said("#for(I,1,1e5) #declare A=I; #end", options),
+              HasSubstr("raise the limit with --max-read-seconds"));
+}
+
+TEST(LanguageBudgets, MessagesOfEveryKindAreCounted) {
+  LoadOptions options;
+  options.budgets.written_bytes = 100'000;
+  for (const char* message : {"#debug \"\"", "#warning \"\"", "#render \"x\"",
+                              "#declare deprecated \"old\" A=1; #declare B=A;"}) {
+    const std::string program = std::string("#for(I,1,1e9) ") + message + " #end";
+    EXPECT_THAT(said(program, options), HasSubstr("raise the limit with --max-written-bytes"))
+        << message;
+  }
+}
+
+TEST(LanguageBudgets, ArraysThatComeAndGoAreNotAddedUp) {
+  LoadOptions options;
+  options.budgets.array_elements = 1000;
+  EXPECT_EQ(said("#macro M() #local A=array[1000]; #end #for(I,1,50) M() #end", options), "");
 }
 
 TEST(Language, LongLoopsWithoutABodyOnlyCount) {

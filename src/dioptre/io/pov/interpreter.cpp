@@ -3,12 +3,9 @@
 
 #include <algorithm>
 
+#include "dioptre/io/pov/memory_use.h"
+
 namespace dioptre::pov {
-namespace {
-
-constexpr std::uint64_t kStepsBetweenChecks = 1 << 14;
-
-}  // namespace
 
 Interpreter::Interpreter(const LoadOptions& options, const FileAccess& access,
                          SceneQueries& queries, Diagnostics& diagnostics)
@@ -16,7 +13,9 @@ Interpreter::Interpreter(const LoadOptions& options, const FileAccess& access,
       access_(access),
       queries_(queries),
       diagnostics_(diagnostics),
-      begin_(std::chrono::steady_clock::now()) {
+      begin_(std::chrono::steady_clock::now()),
+      first_bytes_(resident_bytes()) {
+  if (options.version > 0) set_version(options.version);
   for (const auto& [name, value] : options.declares) {
     Value& target = scopes_.global(symbols_.intern(name)).value;
     if (const double* v = std::get_if<double>(&value)) {
@@ -27,12 +26,15 @@ Interpreter::Interpreter(const LoadOptions& options, const FileAccess& access,
   }
 }
 
-void Interpreter::run(const std::string& name, std::string text) {
+void Interpreter::run(const std::string& name, std::string text, const std::string& path) {
   const auto file = static_cast<std::uint32_t>(programs_.size());
-  programs_.push_back(std::make_shared<Program>(lex(name, std::move(text), file, symbols_)));
+  programs_.push_back(
+      std::make_shared<Program>(lex(name, std::move(text), file, symbols_, most_tokens())));
   source_map_.files.push_back(name);
+  paths_.push_back(path);
   program_ = programs_.back().get();
   cursor_ = program_->tokens.data();
+  if (!options_.include_header.empty()) enter_file(options_.include_header, cursor_->position);
   while (peek().kind != Token::Kind::kEnd) parse_scene_item(*this);
   if (!blocks_.empty()) {
     fail("expected #end, found the end of the file",
@@ -101,8 +103,8 @@ Token Interpreter::next() {
   if (token.kind == Token::Kind::kEnd || token.kind == Token::Kind::kDirective) return token;
   if (token.kind == Token::Kind::kPunctuation) {
     const char c = token.punctuation;
-    if (c == '{' || c == '(') ++depth_;
-    if (c == '}' || c == ')') --depth_;
+    if (c == '{' || c == '(') open_bracket(token);
+    if (c == '}' || c == ')') close_bracket();
   }
   if (token.is(Keyword::kAssumedGamma)) gamma_given_ = true;
   last_ = cursor_++;
@@ -138,6 +140,21 @@ bool Interpreter::ends_value(const Token& token) const {
   }
 }
 
+void Interpreter::open_bracket(const Token& token) {
+  ++depth_;
+  open_.push_back({token.punctuation, token.position});
+}
+
+void Interpreter::close_bracket() {
+  --depth_;
+  if (!open_.empty()) open_.pop_back();
+}
+
+void Interpreter::open_raw() {
+  open_bracket(raw());
+  skip_raw();
+}
+
 void Interpreter::skip_raw() {
   ++cursor_;
   ready_ = false;
@@ -170,27 +187,6 @@ bool Interpreter::end_program() {
   }
   leave_frame();
   return true;
-}
-
-void Interpreter::enter() {
-  if (++nesting_ + frames_.size() > options_.budgets.nesting) {
-    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
-  }
-}
-
-void Interpreter::check_budgets() {
-  const LoadBudgets& budgets = options_.budgets;
-  if (steps_ > budgets.steps) over_budget(std::to_string(budgets.steps) + " steps", "max-steps");
-  if (scene_.objects.size() > budgets.objects) {
-    over_budget(std::to_string(budgets.objects) + " objects", "max-objects");
-  }
-  if (budgets.seconds > 0) {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-    if (spent.count() > budgets.seconds) {
-      over_budget("the time allowed for reading", "max-read-seconds");
-    }
-  }
-  next_check_ = std::min(budgets.steps, steps_ + kStepsBetweenChecks) + (steps_ == budgets.steps);
 }
 
 }  // namespace dioptre::pov

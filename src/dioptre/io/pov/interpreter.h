@@ -43,8 +43,13 @@ class Interpreter final : public Parser {
               Diagnostics& diagnostics);
 
   /// Runs a program to its end. Throws Failure.
-  void run(const std::string& name, std::string text);
-  LoadedScene take_result() { return {std::move(scene_), std::move(source_map_)}; }
+  /// `path` is that of its file, if it is one.
+  void run(const std::string& name, std::string text, const std::string& path);
+  /// The error of having no memory left, at the place reached.
+  Diagnostic out_of_memory() const;
+  LoadedScene take_result() {
+    return {std::move(scene_), std::move(source_map_), std::move(paths_)};
+  }
 
   // Parser
   const Token& peek() override { return ready_ ? *current_ : fetch(); }
@@ -68,9 +73,12 @@ class Interpreter final : public Parser {
   FunctionId parse_function() override;
   Scene& scene() override { return scene_; }
   SourceMap& source_map() override { return source_map_; }
-  SceneQueries& queries() override { return queries_; }
+  SceneQueries& queries() override;
   double version() const override { return version_; }
   SourcePosition position() override { return peek().position; }
+  void charge(std::uint64_t bytes) override;
+  void check_levels() override;
+  const LoadBudgets& budgets() const override { return options_.budgets; }
   std::string find_file(const std::string& name) override;
   [[noreturn]] void fail(std::string message, std::string how_to_mend = {}) override;
   [[noreturn]] void fail_at(SourcePosition where, std::string message,
@@ -118,6 +126,9 @@ class Interpreter final : public Parser {
   const Token& fetch();
   const Token& raw() const { return *cursor_; }
   void skip_raw();
+  void open_bracket(const Token& token);
+  void close_bracket();
+  void open_raw();  ///< takes a '(' as it stands
   void move_to(const Token* token);
   void expand_macro(std::shared_ptr<const Macro> called);
   void leave_frame();
@@ -129,19 +140,32 @@ class Interpreter final : public Parser {
     if (++steps_ >= next_check_) check_budgets();
   }
   void check_budgets();
+  void check_memory();
+  void check_elements(std::uint64_t count);
+  void count_written(std::uint64_t bytes);
+  void count_message(std::size_t size);
+  std::uint64_t most_tokens() const { return options_.budgets.memory_bytes / sizeof(Token) / 2; }
+  [[noreturn]] void over_nesting();
+  bool is_new(const std::string& message, std::uint32_t file, std::uint32_t line);
+  void warn_once(SourcePosition where, const std::string& message);  ///< per file, not per line
   [[noreturn]] void fail_token(const Token& token);
   [[noreturn]] void over_budget(std::string what, std::string_view option);
   std::string found(const Token& token) const;
+  std::string unknown_name(Symbol name) const;
+  std::string meant(Symbol name, std::string_view question) const;
+  std::string open_brackets() const;
+  [[noreturn]] void fail_undeclared(SourcePosition where, Symbol name);
   Diagnostic diagnostic(Severity severity, SourcePosition where, std::string message) const;
 
   // --- directives (directives.cpp, control.cpp, declarations.cpp, macros.cpp, file_io.cpp) ------
   void run_directive(const Token& token);
   void run_message(Keyword keyword);
   void run_include();
+  void enter_file(const std::string& name, SourcePosition where);
   void run_version();
+  void set_version(double version);
   void run_default();
   std::shared_ptr<const Program> load_program(const std::string& name);
-  void enter_program(const Program& program);
 
   void begin_if(const Token& token, bool condition);
   void run_if(const Token& token);
@@ -214,7 +238,7 @@ class Interpreter final : public Parser {
   Numeric combine(char op, const Numeric& a, const Numeric& b);
   double float_argument();
   Vec3 vector_argument();
-  double as_float(const Numeric& n);
+  double as_float(const Numeric& n, SourcePosition where);
   bool keyword_begins_expression(Keyword k) const;
   bool value_is_numeric(const Value& value) const;
   Numeric keyword_value(Keyword k);
@@ -276,9 +300,11 @@ class Interpreter final : public Parser {
   const LoadOptions& options_;
   const FileAccess& access_;
   SceneQueries& queries_;
+  std::size_t asked_size_ = 0;  ///< of the scene's functions and pigments at the last question
   Diagnostics& diagnostics_;
   Scene scene_;
   SourceMap source_map_;
+  std::vector<std::string> paths_;  ///< of the programs
   Symbols symbols_;
   Scopes scopes_;
   std::vector<std::shared_ptr<Program>> programs_;  ///< by file number; all are kept
@@ -295,9 +321,15 @@ class Interpreter final : public Parser {
   Binding* pending_binding_ = nullptr;
   Subscripts pending_subscripts_;
   std::string last_name_;
+  SourcePosition file_name_at_;  ///< of the file name read last
   const Token* last_ = nullptr;  ///< the token taken last
   // While the value of a declaration is read, directives behind it must wait.
   std::int64_t depth_ = 0;  ///< of braces and parentheses
+  struct Bracket {
+    char character;
+    SourcePosition position;
+  };
+  std::vector<Bracket> open_;  ///< braces and parentheses that have not been closed
   std::int64_t value_depth_ = -1;
   std::size_t value_blocks_ = 0, value_frames_ = 0;
   std::uint64_t value_begin_ = 0;
@@ -305,10 +337,13 @@ class Interpreter final : public Parser {
 
   std::uint32_t nesting_ = 0;
   std::uint64_t steps_ = 0, next_check_ = 0;
-  std::uint64_t effects_ = 0;  ///< grows with everything that may change a condition
-  std::uint32_t calls_ = 0;    ///< depth of functions that call functions
-  std::uint64_t array_elements_ = 0, written_ = 0;
+  std::uint64_t effects_ = 0;          ///< grows with everything that may change a condition
+  std::uint32_t calls_ = 0;            ///< depth of functions that call functions
+  std::vector<std::uint32_t> levels_;  ///< of each object of the scene
+  std::uint64_t written_ = 0;
+  std::uint64_t charged_bytes_ = 0;  ///< since memory was looked at
   std::chrono::steady_clock::time_point begin_;
+  std::uint64_t first_bytes_ = 0;  ///< of memory in use when the reading began
   double version_ = 3.7;
   bool version_given_ = false, gamma_given_ = false;
   std::vector<std::uint32_t> streams_;  ///< states of the random streams

@@ -58,16 +58,22 @@ class Lexer {
   Lexer(Program& program, std::uint32_t file, Symbols& symbols)
       : program_(program), text_(program.text), file_(file), symbols_(symbols) {}
 
-  void run() {
+  void run(std::uint64_t most_tokens) {
     program_.lines.push_back(0);
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = counted_ = 3;
-    while (skip_blanks()) token();
-    Token& last = add(Token::Kind::kEnd);
-    if (in_comment_) {
-      last.kind = Token::Kind::kPunctuation;
-      last.punctuation = kUnterminatedComment;
-      add(Token::Kind::kEnd);
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+      add(Token::Kind::kPunctuation).punctuation = kWideText;
+      at_ = text_.size();
     }
+    while (skip_blanks()) {
+      if (program_.tokens.size() >= most_tokens) {
+        add(Token::Kind::kPunctuation).punctuation = kTooManyTokens;
+        break;
+      }
+      token();
+    }
+    if (in_comment_) add(Token::Kind::kPunctuation).punctuation = kUnterminatedComment;
+    add(Token::Kind::kEnd);
   }
 
  private:
@@ -279,11 +285,12 @@ std::string_view Program::line(std::uint32_t number) const {
   return line;
 }
 
-Program lex(std::string name, std::string text, std::uint32_t file, Symbols& symbols) {
+Program lex(std::string name, std::string text, std::uint32_t file, Symbols& symbols,
+            std::uint64_t most_tokens) {
   Program program;
   program.name = std::move(name);
   program.text = std::move(text);
-  Lexer(program, file, symbols).run();
+  Lexer(program, file, symbols).run(most_tokens);
   match_blocks(program);
   return program;
 }

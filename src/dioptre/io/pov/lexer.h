@@ -41,9 +41,13 @@ struct Program {
 constexpr char kStrayCharacter = '\x01';      ///< `index` is the byte
 constexpr char kUnterminatedString = '\x02';  ///< no closing quote
 constexpr char kUnterminatedComment = '\x03';
-constexpr char kBadNumber = '\x04';  ///< out of range
+constexpr char kBadNumber = '\x04';      ///< out of range
+constexpr char kWideText = '\x06';       ///< the file is in UTF-16
+constexpr char kTooManyTokens = '\x05';  ///< the rest is left out
 
-/// Cuts a text into tokens. Never fails: what cannot be read becomes a token that says so.
-Program lex(std::string name, std::string text, std::uint32_t file, Symbols& symbols);
+/// Cuts a text into tokens, at most about `most_tokens`. Never fails: what cannot be read becomes a
+/// token that says so.
+Program lex(std::string name, std::string text, std::uint32_t file, Symbols& symbols,
+            std::uint64_t most_tokens = UINT64_MAX);
 
 }  // namespace dioptre::pov

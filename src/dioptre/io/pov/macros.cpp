@@ -5,6 +5,13 @@
 #include "dioptre/io/pov/interpreter.h"
 
 namespace dioptre::pov {
+namespace {
+
+std::string arguments_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
+
+}  // namespace
 
 /// The name at the next token of the program, whatever it means.
 Symbol Interpreter::raw_identifier(std::string_view what) {
@@ -50,9 +57,7 @@ void Interpreter::expand_macro(std::shared_ptr<const Macro> called) {
   };
   const Macro& macro = *called;
   const SourcePosition where = cursor_->position;
-  if (frames_.size() + nesting_ >= options_.budgets.nesting) {
-    over_budget(std::to_string(options_.budgets.nesting) + " levels of nesting", "max-nesting");
-  }
+  if (frames_.size() + nesting_ >= options_.budgets.nesting) over_nesting();
   skip_raw();
   if (!raw().is('(')) {
     fail_at(raw().position,
@@ -65,7 +70,7 @@ void Interpreter::expand_macro(std::shared_ptr<const Macro> called) {
   while (!at(')')) {
     if (arguments.size() == macro.parameters.size()) {
       fail_at(where, "the macro " + symbols_.name(macro.name) + " takes " +
-                         std::to_string(macro.parameters.size()) + " arguments, found more");
+                         arguments_text(macro.parameters.size()) + ", found more");
     }
     Argument argument;
     const Token name = peek();
@@ -74,7 +79,7 @@ void Interpreter::expand_macro(std::shared_ptr<const Macro> called) {
     if (identifier && !pending_ && ends(cursor_[1])) {
       argument.reference = scopes_.find(name.index);
       if (!operand()) {
-        fail_at(name.position, "'" + symbols_.name(name.index) + "' is not declared");
+        fail_undeclared(name.position, name.index);
       }
       next();
     } else if (identifier && operand() && pending_ && ends(*cursor_)) {
@@ -89,7 +94,7 @@ void Interpreter::expand_macro(std::shared_ptr<const Macro> called) {
   }
   if (arguments.size() < macro.parameters.size()) {
     fail_at(where, "the macro " + symbols_.name(macro.name) + " takes " +
-                       std::to_string(macro.parameters.size()) + " arguments, found " +
+                       arguments_text(macro.parameters.size()) + ", found " +
                        std::to_string(arguments.size()));
   }
   next();

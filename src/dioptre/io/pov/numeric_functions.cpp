@@ -215,7 +215,10 @@ Numeric Interpreter::function_value(Keyword k) {
   }
 }
 
-double Interpreter::float_argument() { return as_float(full()); }
+double Interpreter::float_argument() {
+  const SourcePosition where = position();
+  return as_float(full(), where);
+}
 
 Vec3 Interpreter::vector_argument() {
   const Numeric n = promoted(full(), 3);
@@ -326,9 +329,14 @@ double Interpreter::dimension(bool size) {
 }
 
 ObjectId Interpreter::object_argument() {
+  const SourcePosition where = position();
   const DescribedPtr described = take_described();
   const Object* object = described ? std::get_if<Object>(described.get()) : nullptr;
   if (!object) fail_expected("the name of an object");
+  const auto* whole = std::get_if<Csg>(&object->geometry);
+  if (whole && whole->children.empty()) {
+    warn_once(where, "there is nothing in '" + last_name_ + "' that is rendered: no ray meets it");
+  }
   return registered(described, *object);
 }
 
@@ -344,11 +352,11 @@ ObjectId Interpreter::registered(const DescribedPtr& described, const Object& ob
 double Interpreter::inside() {
   const ObjectId object = object_argument();
   expect(',', "between the arguments");
-  return queries_.inside(scene_, object, vector_argument());
+  return queries().inside(scene_, object, vector_argument());
 }
 
 Numeric Interpreter::extent(bool upper) {
-  const Bounds bounds = queries_.extent(scene_, object_argument());
+  const Bounds bounds = queries().extent(scene_, object_argument());
   const auto limited = [](double v) { return std::fmax(-1e10, std::fmin(1e10, v)); };
   const Vec3 corner = upper ? bounds.max : bounds.min;
   return vector3({limited(corner.x), limited(corner.y), limited(corner.z)});
@@ -363,7 +371,7 @@ Numeric Interpreter::trace() {
   const Vec3 direction = vector_argument();
   std::optional<SceneQueries::Hit> hit;
   if (length(direction) > 0 && is_finite(origin) && is_finite(direction)) {
-    hit = queries_.trace(scene_, object, {origin, direction});
+    hit = queries().trace(scene_, object, {origin, direction});
   }
   if (accept(',')) {
     Target target = parse_target(false);

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "dioptre/io/load_scene.h"
 #include "dioptre/io/pov/described.h"
 #include "dioptre/io/pov/token.h"
 #include "dioptre/scene/queries.h"
@@ -81,6 +82,12 @@ class Parser {
   /// The language version that the scene has asked for so far (3.7, 3.5, ...).
   virtual double version() const = 0;
   virtual SourcePosition position() = 0;  ///< of the next token
+  /// Counts memory that is about to be taken for one thing against the budgets, and the work of
+  /// filling it; fails if it is too much.
+  virtual void charge(std::uint64_t bytes) = 0;
+  virtual const LoadBudgets& budgets() const = 0;
+  /// Fails if the newest object is nested too deep.
+  virtual void check_levels() = 0;
   /// The path of an input file found along the search path; fails with the places looked at.
   virtual std::string find_file(const std::string& name) = 0;
 

@@ -50,13 +50,6 @@ bool Interpreter::at_string() {
   }
 }
 
-void Interpreter::check_string(std::size_t size) {
-  if (size > options_.budgets.string_bytes) {
-    over_budget(std::to_string(options_.budgets.string_bytes) + " bytes in a string",
-                "max-string-bytes");
-  }
-}
-
 std::string Interpreter::parse_string() {
   const Token& token = peek();
   if (token.kind == Token::Kind::kString) {
@@ -78,6 +71,7 @@ std::string Interpreter::parse_string() {
 
 std::string Interpreter::parse_file_name() {
   const Token& token = peek();
+  file_name_at_ = token.position;
   if (token.kind != Token::Kind::kString) return parse_string();
   std::string name = program_->literals[token.index].written;
   next();

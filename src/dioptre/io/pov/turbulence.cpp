@@ -44,7 +44,7 @@ Numeric Interpreter::turbulence_vector() {
   const double place[] = {point.x, point.y, point.z};
   Vec3 result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double moved = queries_.call(scene_, known->second[i], place);
+    const double moved = queries().call(scene_, known->second[i], place);
     const double by = moved - (place[i] - std::floor(place[i]));
     result[i] = (by - std::round(by)) / kAmount;
   }

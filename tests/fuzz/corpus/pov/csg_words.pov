@@ -1,0 +1,3 @@
+difference { box { -1, 1 } sphere { 0, 1.2 texture { pigment { rgb y } } } cylinder { -2*x, 2*x, 0.3 open } bounded_by { box { -2, 2 } } cutaway_textures }
+intersection { plane { y, 0 } quadric { 1, 0, 0, -1 } inverse } merge { torus { 1, 0.2 sturm } cone { 0, 1, y, 0 } clipped_by { plane { x, 0.1 } } } union { poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> } superellipsoid { <0.3, 0.4> } split_union off hollow no_shadow }
+light_source { 5, rgb 1 spotlight point_at 0 radius 10 falloff 20 tightness 3 area_light x, y, 2, 2 jitter adaptive 1 circular orient fade_distance 3 fade_power 2 looks_like { sphere { 0, 0.1 } } media_interaction off }

@@ -1,0 +1,1 @@
+#include "colors.inc" #fopen F "a.txt" write #write (F, "a", 1, <1, 2>, uint8 3) #fclose F #fopen G "a.txt" read #read (G, A, B) #ifdef (G) #end sphere { 0, 1 pigment { image_map { png "a.png" map_type 1 interpolate 2 once filter all 0.5 gamma srgb } } } text { ttf "a.ttf" "x" 1, 0 }
