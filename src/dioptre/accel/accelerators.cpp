@@ -62,10 +62,7 @@ class Hierarchy final : public Accelerator {
   explicit Hierarchy(std::span<const Bounds> boxes) : tree_(boxes, 2) {}
 
   void visit(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const override {
-    tree_.traverse(ray, range, [&leaf, &cost](std::uint32_t item, Interval& left) {
-      ++cost.items;
-      return leaf.visit(item, left);
-    });
+    tree_.traverse(ray, range, Report{leaf, cost});
   }
 
   void items_at(Vec3 p, std::vector<std::uint32_t>& items) const override {
@@ -74,9 +71,21 @@ class Hierarchy final : public Accelerator {
 
   Bounds bounds() const override { return tree_.bounds(); }
 
-  AcceleratorStatistics statistics() const override { return {}; }
+  AcceleratorStatistics statistics() const override {
+    return {tree_.node_count(), tree_.item_count(), tree_.bytes()};
+  }
 
  private:
+  struct Report {
+    LeafVisitor& leaf;
+    WalkCost& cost;
+    void step() { ++cost.nodes; }
+    bool operator()(std::uint32_t item, Interval& left) {
+      ++cost.items;
+      return leaf.visit(item, left);
+    }
+  };
+
   BoundingVolumeHierarchy tree_;
 };
 

@@ -30,12 +30,23 @@ class BoundingVolumeHierarchy {
   /// Builds the tree with at most `leaf_size` items in a leaf (fewer where that is faster).
   explicit BoundingVolumeHierarchy(std::span<const Bounds> boxes, std::uint32_t leaf_size = 4);
 
+  /// The number of inner nodes.
+  std::size_t node_count() const { return nodes_.size(); }
+  /// Memory in use.
+  std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::uint32_t) +
+           unbounded_.capacity() * sizeof(Unbounded);
+  }
+  /// The number of items.
+  std::size_t item_count() const { return order_.size() + unbounded_.size(); }
+
   /// A box around all items.
   const Bounds& bounds() const { return bounds_; }
 
   /// Calls `bool leaf(std::uint32_t item, Interval& range)` for the items whose box the ray may
   /// meet in `range`, roughly from near to far. The leaf may lower range.max, and then what lies
-  /// beyond is skipped; it ends the walk by returning false.
+  /// beyond is skipped; it ends the walk by returning false. If the leaf has `step()`, that is
+  /// called for each inner node looked at.
   template <class Leaf>
   void traverse(const Ray& ray, Interval& range, Leaf&& leaf) const {
     const SlabRay slabs(ray);
@@ -57,6 +68,7 @@ class BoundingVolumeHierarchy {
           if (!leaf(order_[child.first + i], range)) return;
         }
       } else {
+        if constexpr (requires { leaf.step(); }) leaf.step();
         const Node& node = nodes_[child.first];
         std::array<double, 2> entries;
         const unsigned met = slabs.meets(node.boxes, range, entries);

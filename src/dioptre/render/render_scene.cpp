@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/render/render_scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace dioptre {
 namespace {
@@ -51,6 +55,38 @@ class FunctionVisitor final : public LeafVisitor {
 
  private:
   Function function_;
+};
+
+/// The product of what items let through, multiplied in the order of the items whatever the order
+/// in which a ray meets them: rounding is then the same for every accelerator.
+class FilterProduct {
+ public:
+  void add(std::uint32_t item, Color through) {
+    if (count_ < first_.size()) {
+      first_[count_++] = {item, through};
+    } else {
+      more_.push_back({item, through});
+    }
+  }
+
+  Color product() {
+    if (!more_.empty()) more_.insert(more_.end(), first_.begin(), first_.begin() + count_);
+    const std::span<Filter> all = more_.empty() ? std::span(first_).first(count_) : std::span(more_);
+    std::sort(all.begin(), all.end(),
+              [](const Filter& a, const Filter& b) { return a.item < b.item; });
+    Color through{1, 1, 1};
+    for (const Filter& each : all) through *= each.through;
+    return through;
+  }
+
+ private:
+  struct Filter {
+    std::uint32_t item;
+    Color through;
+  };
+  std::array<Filter, 16> first_;
+  std::vector<Filter> more_;
+  std::uint32_t count_ = 0;
 };
 
 }  // namespace
@@ -128,21 +164,23 @@ Color RenderScene::item_transmittance(const Item& item, const Ray& ray, Interval
 }
 
 Color RenderScene::transmittance(const Ray& ray, Interval range) const {
-  Color through{1, 1, 1};
+  FilterProduct filters;
+  bool blocked = false;
   FunctionVisitor visitor([&](std::uint32_t index, Interval& r) {
     const Item& item = items_[index];
     if (item.no_shadow) return true;
     if (item.opaque) {
       Crossing crossing;
-      if (!item.shape->nearest(ray, r, crossing)) return true;
-      through = {};
+      blocked = item.shape->nearest(ray, r, crossing);
     } else {
-      through *= item_transmittance(item, ray, r);
+      const Color through = item_transmittance(item, ray, r);
+      blocked = is_black(through);
+      if (!blocked && through != Color{1, 1, 1}) filters.add(index, through);
     }
-    return !is_black(through);
+    return !blocked;
   });
   accelerator_->visit(ray, range, visitor);
-  return through;
+  return blocked ? Color{} : filters.product();
 }
 
 }  // namespace dioptre
