@@ -84,6 +84,21 @@ TEST(CameraRays, ProjectionsAgreeWithPovRay) {
   }
 }
 
+TEST(CameraRays, TheOmnimaxFilmEndsBelowTheHorizonInAPlaneOf45Degrees) {
+  const auto rays = CameraRays::prepare(square_camera(Kind::kOmnimax));
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const auto ray = rays->ray(i + 0.5, j + 0.5, 64, 64);
+      const bool on_film = std::hypot(i - 31.5, j - 31.5) <= 32;
+      if (ray) EXPECT_GE(ray->direction.y, -ray->direction.z - 1e-12);
+      if (j < 32) EXPECT_EQ(ray.has_value(), on_film);
+    }
+  }
+  EXPECT_TRUE(rays->ray(32, 49, 64, 64));
+  EXPECT_FALSE(rays->ray(32, 51, 64, 64));
+  EXPECT_FALSE(rays->ray(60, 45, 64, 64));
+}
+
 TEST(CameraRays, APinholeSeesASphereAsADiscOfTheKnownArea) {
   Camera camera = square_camera(Kind::kPerspective);
   camera.direction = {0, 0, 0.5};

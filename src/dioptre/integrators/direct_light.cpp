@@ -79,12 +79,13 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
     if (!scene_.window(number)->nearest(ray, {0, distance}, crossing)) return {};
     distance = crossing.t;
   }
-  if (distance <= 0 || light.shadowless) return {1, 1, 1};
+  distance -= kShadowGap;
+  if (distance <= kShadowGap || light.shadowless) return {1, 1, 1};
   ++counts.shadow;
-  const Color through = scene_.transmittance(ray, {0, distance});
+  const Color through = scene_.transmittance(ray, {kShadowGap, distance});
   const bool in_fog = light.media_attenuation && media_.any_fog();
   if (is_black(through) || !(in_fog || media_.any_fades())) return through;
-  return through * media_.transmittance(ray, distance, in_fog);
+  return through * media_.transmittance(ray, {kShadowGap, distance}, in_fog);
 }
 
 Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,

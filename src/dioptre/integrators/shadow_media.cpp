@@ -14,22 +14,33 @@ bool fades(const Interior& interior) {
   return interior.fade_distance != 0 && interior.fade_power > 0;
 }
 
+/// Whether light comes through the item to be dimmed inside.
+bool fades(const RenderScene& scene, const Item& item) {
+  if (item.opaque || item.no_shadow) return false;
+  Hit hit{{}, &item};
+  for (; hit.crossing.leaf < item.part_count; ++hit.crossing.leaf) {
+    const InteriorId interior = scene.part(hit).interior;
+    if (interior && fades(at(scene.scene().interiors, interior))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ShadowMedia::ShadowMedia(const RenderScene& scene) : scene_(scene) {
-  const Scene& plain = scene.scene();
-  any_fades_ = std::any_of(plain.interiors.begin(), plain.interiors.end(), fades);
-  any_fog_ = !plain.atmosphere.fogs.empty();
+  any_fades_ = std::any_of(scene.items().begin(), scene.items().end(),
+                           [&](const Item& item) { return fades(scene, item); });
+  any_fog_ = !scene.scene().atmosphere.fogs.empty();
 }
 
-Color ShadowMedia::transmittance(const Ray& ray, double distance, bool in_fog) const {
+Color ShadowMedia::transmittance(const Ray& ray, Interval range, bool in_fog) const {
   Color through{1, 1, 1};
   MediaStack media;
-  Interval range{0, distance};
+  double last = range.min;
   const auto pass_fog = [&](double end) {
     if (!in_fog || !media.in_atmosphere()) return;
-    const Ray stretch{ray.at(range.min), ray.direction};
-    through *= fog_effect(scene_, stretch, end - range.min).transmittance;
+    const Ray stretch{ray.at(last), ray.direction};
+    through *= fog_effect(scene_, stretch, end - last).transmittance;
   };
   Hit hit;
   while (scene_.nearest(ray, range, RayPurpose::kShadow, hit)) {
@@ -39,15 +50,16 @@ Color ShadowMedia::transmittance(const Ray& ray, double distance, bool in_fog) c
     if (media.contains(entry)) {
       media.leave(entry);
       if (interior && fades(at(scene_.scene().interiors, interior))) {
-        through *= attenuation(at(scene_.scene().interiors, interior), hit.crossing.t - range.min);
+        through *= attenuation(at(scene_.scene().interiors, interior), hit.crossing.t - last);
       }
     } else if (hit.item->shape->solid()) {
       media.enter(entry, hit.item->hollow);
     }
     if (is_black(through)) return through;
-    range.min = hit.crossing.t;
+    last = hit.crossing.t;
+    range.min = last + kShadowGap;
   }
-  pass_fog(distance);
+  pass_fog(range.max);
   return through;
 }
 

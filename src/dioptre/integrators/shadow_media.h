@@ -17,10 +17,10 @@ class ShadowMedia {
   /// Whether there is mist, which dims lights that ask for it.
   bool any_fog() const { return any_fog_; }
 
-  /// The share of light left by what a ray is in, from its origin over `distance`; of the fog only
+  /// The share of light left by what a ray is in, over the range of its length; of the fog only
   /// if `in_fog`. A solid dims the light where the ray leaves it, by the distance since the surface
   /// met last. Solids that the origin lies in do not count, nor does a fade_power of 0 (measured).
-  Color transmittance(const Ray& ray, double distance, bool in_fog) const;
+  Color transmittance(const Ray& ray, Interval range, bool in_fog) const;
 
  private:
   const RenderScene& scene_;

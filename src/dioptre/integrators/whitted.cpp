@@ -144,14 +144,15 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
       const TextureSample::Stack stack = sample.stacks[i];
       Path next = before;
       Color transmitted = filter_of(sample, stack);
+      if (!is_black(transmitted)) transmitted *= left_by_mirrors(at, stack, sample, before);
       next.weight *= transmitted * stack.weight;
       const Passage passage = reflections_ && may_spawn(next.weight, next.level)
                                   ? pass(at, hit, sample.layers[stack.first].normal, next)
                                   : Passage::kNone;
       if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
       transmitted *= faded;
-      radiance += through * stack.weight *
-                  shade(at, stack, before, scratch, passage != Passage::kMirrored, transmitted);
+      radiance +=
+          through * stack.weight * shade(at, stack, before, scratch, passage != Passage::kMirrored);
       if (passage == Passage::kNone || is_black(transmitted)) continue;
       if (i + 1 == sample.stacks.size()) {
         path = next;
@@ -168,10 +169,23 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
   }
 }
 
-/// The light of one stack of layers by itself and, if it `mirrors`, by its mirrors, which may take
-/// from what is transmitted.
+/// What mirrors that conserve energy leave to the light that comes through. It counts in the weight
+/// of the ray too, and total reflection by Fresnel's law leaves nothing (measured).
+Color Whitted::left_by_mirrors(const SurfaceInteraction& at, const TextureSample::Stack& stack,
+                               const TextureSample& sample, const Path& path) const {
+  Color left{1, 1, 1};
+  for (std::uint32_t i = 0; i < stack.count && reflections_; ++i) {
+    const SurfaceLayer& layer = sample.layers[stack.first + i];
+    if (!layer.finish->conserve_energy) continue;
+    left *= Color{1, 1, 1} - reflectance(layer, path.ray.direction,
+                                         ior_behind(scene_.scene(), at.part->interior, path.media));
+  }
+  return left;
+}
+
+/// The light of one stack of layers by itself and, if it `mirrors`, by its mirrors.
 Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                     const Path& path, Scratch& scratch, bool mirrors, Color& transmitted) const {
+                     const Path& path, Scratch& scratch, bool mirrors) const {
   const auto layer = [&](std::uint32_t i) -> const SurfaceLayer& {
     return scratch.samples[scratch.depth].layers[stack.first + i];
   };
@@ -190,7 +204,6 @@ Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& s
     const Color share = reflectance(layer(i), path.ray.direction,
                                     ior_behind(scene_.scene(), at.part->interior, path.media));
     if (is_black(share)) continue;
-    if (layer(i).finish->conserve_energy) transmitted *= Color{1, 1, 1} - share;
     radiance += share * mirrored(at, layer(i).normal, share * stack.weight, path, scratch);
   }
   return radiance;

@@ -34,8 +34,10 @@ class Whitted final : public RayIntegrator {
   struct Scratch;
 
   Radiance trace(Path path, Scratch& scratch) const;
+  Color left_by_mirrors(const SurfaceInteraction& at, const TextureSample::Stack& stack,
+                        const TextureSample& sample, const Path& path) const;
   Color shade(const SurfaceInteraction& at, const TextureSample::Stack& stack, const Path& path,
-              Scratch& scratch, bool mirrors, Color& transmitted) const;
+              Scratch& scratch, bool mirrors) const;
   Color light_from(const LightSource& light, const SurfaceInteraction& at,
                    const TextureSample::Stack& stack, const Path& path, Scratch& scratch) const;
   Color mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/render/render_scene.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <vector>
 
 namespace dioptre {
 namespace {
@@ -55,38 +51,6 @@ class FunctionVisitor final : public LeafVisitor {
 
  private:
   Function function_;
-};
-
-/// The product of what items let through, multiplied in the order of the items whatever the order
-/// in which a ray meets them: rounding is then the same for every accelerator.
-class FilterProduct {
- public:
-  void add(std::uint32_t item, Color through) {
-    if (count_ < first_.size()) {
-      first_[count_++] = {item, through};
-    } else {
-      more_.push_back({item, through});
-    }
-  }
-
-  Color product() {
-    if (!more_.empty()) more_.insert(more_.end(), first_.begin(), first_.begin() + count_);
-    const std::span<Filter> all = more_.empty() ? std::span(first_).first(count_) : std::span(more_);
-    std::sort(all.begin(), all.end(),
-              [](const Filter& a, const Filter& b) { return a.item < b.item; });
-    Color through{1, 1, 1};
-    for (const Filter& each : all) through *= each.through;
-    return through;
-  }
-
- private:
-  struct Filter {
-    std::uint32_t item;
-    Color through;
-  };
-  std::array<Filter, 16> first_;
-  std::vector<Filter> more_;
-  std::uint32_t count_ = 0;
 };
 
 }  // namespace
@@ -144,43 +108,61 @@ float RenderScene::caustic(const SurfaceInteraction& facing, Vec3 direction, boo
   return static_cast<float>(1 + std::pow(std::fabs(cosine), 45 * caustics));
 }
 
+Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
+  SurfaceInteraction facing = interaction(ray, hit);
+  if (dot(facing.surface.shading_normal, ray.direction) > 0) {
+    facing.surface.shading_normal = -facing.surface.shading_normal;
+  }
+  const Part& part = *facing.part;
+  const bool leaving = !hit.crossing.entering;
+  const Color through = textures_->transmittance(leaving ? part.interior_texture : part.texture,
+                                                 texture_point(facing, ray.direction));
+  if (!part.interior || is_black(through)) return through;
+  return through * caustic(facing, ray.direction, leaving);
+}
+
 Color RenderScene::item_transmittance(const Item& item, const Ray& ray, Interval range) const {
   Color through{1, 1, 1};
   Hit hit{{}, &item};
   while (item.shape->nearest(ray, range, hit.crossing)) {
-    SurfaceInteraction facing = interaction(ray, hit);
-    if (dot(facing.surface.shading_normal, ray.direction) > 0) {
-      facing.surface.shading_normal = -facing.surface.shading_normal;
-    }
-    const Part& part = *facing.part;
-    const bool leaving = !hit.crossing.entering;
-    through *= textures_->transmittance(leaving ? part.interior_texture : part.texture,
-                                        texture_point(facing, ray.direction));
+    through *= surface_transmittance(ray, hit);
     if (is_black(through)) return through;
-    if (part.interior) through *= caustic(facing, ray.direction, leaving);
-    range.min = hit.crossing.t;
+    range.min = hit.crossing.t + kShadowGap;
+  }
+  return through;
+}
+
+Color RenderScene::ordered_transmittance(const Ray& ray, Interval range) const {
+  Color through{1, 1, 1};
+  Hit hit;
+  while (nearest(ray, range, RayPurpose::kShadow, hit)) {
+    through *= surface_transmittance(ray, hit);
+    if (is_black(through)) return through;
+    range.min = hit.crossing.t + kShadowGap;
   }
   return through;
 }
 
 Color RenderScene::transmittance(const Ray& ray, Interval range) const {
-  FilterProduct filters;
-  bool blocked = false;
+  Color through{1, 1, 1};
+  int filters = 0;
   FunctionVisitor visitor([&](std::uint32_t index, Interval& r) {
     const Item& item = items_[index];
     if (item.no_shadow) return true;
     if (item.opaque) {
       Crossing crossing;
-      blocked = item.shape->nearest(ray, r, crossing);
+      if (!item.shape->nearest(ray, r, crossing)) return true;
+      through = {};
     } else {
-      const Color through = item_transmittance(item, ray, r);
-      blocked = is_black(through);
-      if (!blocked && through != Color{1, 1, 1}) filters.add(index, through);
+      const Color of_item = item_transmittance(item, ray, r);
+      if (of_item == Color{1, 1, 1}) return true;
+      through *= of_item;
+      ++filters;
     }
-    return !blocked;
+    return !is_black(through);
   });
   accelerator_->visit(ray, range, visitor);
-  return blocked ? Color{} : filters.product();
+  return filters > 1 && !is_black(through) ? ordered_transmittance(ray, range) : through;
 }
 
 }  // namespace dioptre

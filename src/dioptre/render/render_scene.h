@@ -55,6 +55,11 @@ struct SurfaceInteraction {
   double error = 0;  ///< a bound on the distance of surface.position from the true point
 };
 
+/// Of surfaces nearer to each other than this along a shadow ray, in scene units, only the first
+/// counts; nor does what is nearer to the surface in question or to the light (measured): things
+/// that touch, a lamp in its glass or a block on another, shade once.
+constexpr double kShadowGap = 1e-3;
+
 /// Names the builder of the structure over the items.
 struct CompileOptions {
   std::string accelerator = "bvh";
@@ -101,6 +106,8 @@ class RenderScene {
  private:
   friend class Compiler;
   explicit RenderScene(const Scene& scene) : scene_(scene) {}
+  Color surface_transmittance(const Ray& ray, const Hit& hit) const;
+  Color ordered_transmittance(const Ray& ray, Interval range) const;
   Color item_transmittance(const Item& item, const Ray& ray, Interval range) const;
   float caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const;
   TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view) const;
