@@ -33,12 +33,17 @@ void read_some(png_structp png, png_bytep out, png_size_t size) {
 }
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// Reads the header and asks for grey or RGB with 8 or 16 bits, alpha from transparency.
-bool read_header(png_structp png, png_infop info) {
+/// Reads the header and asks for grey or RGB with 8 or 16 bits, alpha from transparency; if wanted,
+/// for the numbers of a palette's entries as bytes.
+bool read_header(png_structp png, png_infop info, bool indices) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
   png_read_info(png, info);
-  png_set_expand(png);
+  if (indices && png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE) {
+    png_set_packing(png);
+  } else {
+    png_set_expand(png);
+  }
   return true;
 }
 
@@ -73,12 +78,12 @@ std::uint32_t channels_of(png_structp png, png_infop info) {
   return (color ? 3u : 1u) + (alpha ? 1u : 0u);
 }
 
-Result<DecodedImage> decode(png_structp png, png_infop info, PngInput& in,
-                            std::uint64_t max_pixels) {
+Result<DecodedImage> decode(png_structp png, png_infop info, PngInput& in, std::uint64_t max_pixels,
+                            bool indices) {
   const auto problem = [&] {
     return fail(std::string(in.problem) + " (at byte " + std::to_string(in.at) + ")");
   };
-  if (!read_header(png, info)) return problem();
+  if (!read_header(png, info, indices)) return problem();
   DecodedImage image;
   ImageData& data = image.data;
   data.width = png_get_image_width(png, info);
@@ -86,8 +91,13 @@ Result<DecodedImage> decode(png_structp png, png_infop info, PngInput& in,
   if (const auto size = check_image_size(data.width, data.height, max_pixels); !size) {
     return tl::unexpected(size.error());
   }
-  read_curve(png, info, image);
-  data.channels = channels_of(png, info);
+  if (indices && png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE) {
+    image.curve = DecodedImage::Curve::kIndices;
+    data.channels = 1;
+  } else {
+    read_curve(png, info, image);
+    data.channels = channels_of(png, info);
+  }
   const std::uint32_t bytes = png_get_bit_depth(png, info) == 16 ? 2 : 1;
   const std::size_t row = std::size_t{data.width} * data.channels * bytes;
   // Deflate packs at most about 1032 to 1: a file too small for its header is refused at once.
@@ -101,27 +111,36 @@ Result<DecodedImage> decode(png_structp png, png_infop info, PngInput& in,
   std::vector<png_bytep> rows(data.height);
   for (std::uint32_t y = 0; y < data.height; ++y) rows[y] = raw.data() + y * row;
   if (!read_rows(png, info, raw, rows)) return problem();
+  const float top = image.curve == DecodedImage::Curve::kIndices ? 1.0f : 255.0f;
   data.pixels.resize(std::size_t{data.width} * data.height * data.channels);
   for (std::size_t k = 0; k < data.pixels.size(); ++k) {
-    data.pixels[k] = bytes == 1 ? static_cast<float>(raw[k]) / 255.0f
+    data.pixels[k] = bytes == 1 ? static_cast<float>(raw[k]) / top
                                 : static_cast<float>(raw[2 * k] * 256 + raw[2 * k + 1]) / 65535.0f;
   }
   return image;
 }
 
-}  // namespace
-
-Result<DecodedImage> decode_png(std::string_view bytes, std::uint64_t max_pixels) {
+Result<DecodedImage> decode(std::string_view bytes, std::uint64_t max_pixels, bool indices) {
   PngInput in{bytes};
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &in, failed, ignore_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   Result<DecodedImage> image = fail("out of memory");
   if (info != nullptr) {
     png_set_read_fn(png, &in, read_some);
-    image = decode(png, info, in, max_pixels);
+    image = decode(png, info, in, max_pixels, indices);
   }
   png_destroy_read_struct(&png, &info, nullptr);
   return image;
+}
+
+}  // namespace
+
+Result<DecodedImage> decode_png(std::string_view bytes, std::uint64_t max_pixels) {
+  return decode(bytes, max_pixels, false);
+}
+
+Result<DecodedImage> decode_png_indices(std::string_view bytes, std::uint64_t max_pixels) {
+  return decode(bytes, max_pixels, true);
 }
 
 }  // namespace dioptre

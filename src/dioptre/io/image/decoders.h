@@ -13,9 +13,9 @@ namespace dioptre {
 /// What a decoder found: values as the file has them (integers scaled to 0..1), and what the file
 /// says about their meaning.
 struct DecodedImage {
-  enum class Curve { kUnknown, kSrgb, kLinear, kPower };
+  enum class Curve { kUnknown, kSrgb, kLinear, kPower, kIndices };
   ImageData data;
-  Curve curve = Curve::kUnknown;  ///< kUnknown: the file says nothing
+  Curve curve = Curve::kUnknown;  ///< kUnknown: the file says nothing; kIndices: no light
   double gamma = 1;               ///< of kPower: light is value^gamma
 };
 
@@ -33,6 +33,8 @@ inline Result<void> check_image_size(std::uint64_t width, std::uint64_t height,
 /// The decoders. Each takes the bytes of a whole file of its format, and gives the reason of a
 /// failure without the name of the file.
 Result<DecodedImage> decode_png(std::string_view bytes, std::uint64_t max_pixels);
+/// As decode_png, but an image with a palette gives the numbers of its entries, one channel.
+Result<DecodedImage> decode_png_indices(std::string_view bytes, std::uint64_t max_pixels);
 Result<DecodedImage> decode_jpeg(std::string_view bytes, std::uint64_t max_pixels);
 Result<DecodedImage> decode_tiff(std::string_view bytes, std::uint64_t max_pixels);
 Result<DecodedImage> decode_pnm(std::string_view bytes, std::uint64_t max_pixels);

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <vector>
 
 #include "dioptre/io/image/read_image.h"
 #include "dioptre/io/image/write_image.h"
@@ -95,6 +97,32 @@ TEST_F(ImageFiles, FloatFilesKeepLight) {
       EXPECT_NEAR(read->pixels[3 * k + 2], top, top * error) << name;
     }
   }
+}
+
+/// A PNG of four pixels, entries 3, 2, 1, 0 of the palette red, green, blue, white; two bits each.
+constexpr unsigned char kPalettePng[] = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,
+    0x00, 0x00, 0x00, 0x04, 0x00, 0x00, 0x00, 0x01, 0x02, 0x03, 0x00, 0x00, 0x00, 0x84, 0x52, 0xe7,
+    0x5e, 0x00, 0x00, 0x00, 0x0c, 0x50, 0x4c, 0x54, 0x45, 0xff, 0x00, 0x00, 0x00, 0xff, 0x00, 0x00,
+    0x00, 0xff, 0xff, 0xff, 0xff, 0xfb, 0x00, 0x60, 0xf6, 0x00, 0x00, 0x00, 0x0a, 0x49, 0x44, 0x41,
+    0x54, 0x78, 0x9c, 0x63, 0x78, 0x02, 0x00, 0x00, 0xe6, 0x00, 0xe5, 0x58, 0xda, 0x89, 0xce, 0x00,
+    0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+TEST_F(ImageFiles, APaletteGivesItsNumbersOrItsColors) {
+  const std::string file =
+      put("p.png", {reinterpret_cast<const char*>(kPalettePng), sizeof kPalettePng});
+  for (const float scale : {1.0f, 0.5f}) {
+    for (const std::optional<double> gamma : {std::optional<double>{}, std::optional(2.2)}) {
+      const auto numbers = read_image(file, {.gamma = gamma, .palette_scale = scale});
+      ASSERT_TRUE(numbers) << numbers.error().message;
+      EXPECT_EQ(numbers->channels, 1u);
+      EXPECT_EQ(numbers->pixels, (std::vector<float>{3 * scale, 2 * scale, scale, 0}));
+    }
+  }
+  const auto colors = read_image(file, {});
+  ASSERT_TRUE(colors) << colors.error().message;
+  EXPECT_EQ(colors->channels, 3u);
+  EXPECT_EQ(colors->pixels, (std::vector<float>{1, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0}));
 }
 
 TEST_F(ImageFiles, AJpegComesNear) {

@@ -119,10 +119,15 @@ Result<ImageData> read_image(const std::string& path, const ReadImageOptions& op
   Result<std::string> bytes = read_bytes(path);
   if (!bytes) return cannot_read(path, bytes.error().message);
   if (bytes->empty()) return cannot_read(path, "the file is empty");
-  const Decoder decode = find_decoder(*bytes, path);
+  Decoder decode = find_decoder(*bytes, path);
   if (decode == nullptr) return cannot_read(path, "not an image of a known format");
+  if (options.palette_scale != 0 && decode == decode_png) decode = decode_png_indices;
   Result<DecodedImage> image = decode(*bytes, options.max_pixels);
   if (!image) return cannot_read(path, image.error().message);
+  if (image->curve == DecodedImage::Curve::kIndices) {
+    for (float& number : image->data.pixels) number *= options.palette_scale;
+    return std::move(image->data);
+  }
   if (options.gamma) {
     linearize(image->data, DecodedImage::Curve::kPower, *options.gamma);
   } else {

@@ -17,6 +17,8 @@ struct ReadImageOptions {
   /// The version of the scene language: under 3.7 only a gamma written in the file is applied, else
   /// values without one are decoded as their format has it (PNG and JPEG: sRGB).
   double language_version = 3.7;
+  /// If not 0, a PNG that has a palette gives the numbers of its entries times this, one channel.
+  float palette_scale = 0;
   /// Larger images are refused before any memory is taken.
   std::uint64_t max_pixels = std::uint64_t{1} << 28;
 };

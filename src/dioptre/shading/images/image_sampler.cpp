@@ -148,8 +148,10 @@ std::optional<Vec2> ImageSampler::lean(Vec3 p) const {
   if (!uv) return std::nullopt;
   const double column = 1.0 / source_.data->width, row = 1.0 / source_.data->height;
   const double here = height_of(sample(*uv));
-  const double left = height_of(sample({uv->x - column, uv->y - row}));
-  const double right = height_of(sample({uv->x + column, uv->y - row}));
+  // The neighbours lie on the other side of the image even if it is laid only once (measured).
+  const double below = fraction(uv->y - row);
+  const double left = height_of(sample({fraction(uv->x - column), below}));
+  const double right = height_of(sample({fraction(uv->x + column), below}));
   return Vec2{(left - right) / 2, (left + right) / 2 - here};
 }
 

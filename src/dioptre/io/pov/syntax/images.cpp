@@ -148,11 +148,11 @@ bool parse_image_modifier(Parser& parser, ImageSource& image, ReadImageOptions& 
   }
 }
 
-/// The same file read with the same gamma shortly before, if any.
+/// The same file read as colours shortly before, if any.
 const ImageSource* find_read(const Scene& scene, const std::string& path) {
   const auto& images = scene.images;
   for (std::size_t i = images.size(); i-- > 0 && images.size() - i <= kRememberedImages;) {
-    if (images[i].path == path) return &images[i];
+    if (images[i].path == path && images[i].use_color) return &images[i];
   }
   return nullptr;
 }
@@ -167,9 +167,19 @@ Shared<ImageData> read_pixels(Parser& parser, const std::string& path, SourcePos
   return std::move(*data);
 }
 
+/// Heights and numbers are the values of the file as they are, without its gamma (measured). An
+/// entry of a palette is as high as its number if bumps ask for that, and not scaled to 1
+/// (measured); a pattern has the colours' greys in any case (measured).
+void read_as(ImageUse use, bool use_color, ReadImageOptions& options) {
+  if (use == ImageUse::kColor) return;
+  if (!options.gamma) options.gamma = 1;
+  if (use == ImageUse::kNumbers) options.palette_scale = 1 / 255.0f;
+  if (use == ImageUse::kBumps && !use_color) options.palette_scale = 1;
+}
+
 }  // namespace
 
-ImageId parse_image(Parser& parser, const std::function<bool()>& other) {
+ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& other) {
   const Parser::Nesting nesting(parser);
   parser.expect('{', "to begin the image");
   ImageSource image;
@@ -187,6 +197,8 @@ ImageId parse_image(Parser& parser, const std::function<bool()>& other) {
   while (parse_image_modifier(parser, image, options) || (other && other())) {
   }
   parser.expect('}', "after the image");
+  read_as(use, image.use_color, options);
+  image.use_color = use == ImageUse::kColor;
   if (!made) image.data = read_pixels(parser, image.path, where, options);
   return append(parser.scene().images, std::move(image));
 }

@@ -5,6 +5,15 @@
 namespace dioptre::pov {
 namespace {
 
+/// The normal of the default texture, if any: what the entries of a normal_map and of a
+/// list begin with (measured).
+NormalId default_normal(Parser& parser) {
+  const Scene& scene = parser.scene();
+  const auto* layers =
+      std::get_if<LayeredTexture>(&at(scene.textures, default_texture(parser)).data);
+  return layers && !layers->layers.empty() ? layers->layers.front().normal : NormalId{};
+}
+
 /// A normal taken apart while it is read: any part may still be replaced.
 class NormalParser {
  public:
@@ -117,7 +126,7 @@ class NormalParser {
       kind_ = Kind::kAverage;
       normals_.clear();
     } else if (parser_.accept(Keyword::kBumpMap)) {
-      image_ = parse_image(parser_, [this] { return parse_size(); });
+      image_ = parse_image(parser_, ImageUse::kBumps, [this] { return parse_size(); });
       kind_ = Kind::kImage;
       parse_amount();
     } else {
@@ -146,7 +155,8 @@ class NormalParser {
     kind_ = Kind::kMap;
     normals_.clear();
     while (normals_.size() < parts && parser_.accept(Keyword::kNormal)) {
-      normals_.push_back({static_cast<double>(normals_.size()), parse_normal(parser_, {})});
+      normals_.push_back(
+          {static_cast<double>(normals_.size()), parse_normal(parser_, default_normal(parser_))});
       parser_.skip_comma();
     }
     for (std::size_t i = normals_.size(); i < parts; ++i) {
@@ -203,7 +213,7 @@ NormalId parse_normal(Parser& parser, NormalId base) {
 
 NormalId parse_normal_entry(Parser& parser) {
   const Parser::Nesting nesting(parser);
-  return parse_contents(parser, {}, ']');
+  return parse_contents(parser, default_normal(parser), ']');
 }
 
 NormalId transformed(Parser& parser, NormalId id, const Affine& by) {

@@ -164,7 +164,7 @@ std::optional<BlockPattern> parse_parametric_kind(Parser& parser, Keyword keywor
       break;
     case Keyword::kImagePattern:
       parser.next();
-      pattern.data = ImagePattern{parse_image(parser)};
+      pattern.data = ImagePattern{parse_image(parser, ImageUse::kPattern)};
       break;
     case Keyword::kDensityFile:
       parser.next();

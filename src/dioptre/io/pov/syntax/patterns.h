@@ -24,9 +24,11 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern);
 bool parse_warp_modifier(Parser& parser, std::vector<Warp>& warps);
 /// Appends a transformation to what is written so far.
 void add_transform(std::vector<Warp>& warps, const Affine& by);
+/// What the pixels of an image stand for.
+enum class ImageUse : std::uint8_t { kColor, kPattern, kBumps, kNumbers };
 /// Reads `image_map { ... }` and its relatives, behind the keyword.
 /// `other` reads what else may stand in the braces, and says whether it did.
-ImageId parse_image(Parser& parser, const std::function<bool()>& other = {});
+ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& other = {});
 /// The colours that a pattern has without a map.
 std::vector<ColorEntry> default_colors(const Pattern& pattern);
 

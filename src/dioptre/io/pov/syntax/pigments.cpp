@@ -110,7 +110,7 @@ class PigmentParser {
         return true;
       case Keyword::kImageMap:
         parser_.next();
-        image_ = parse_image(parser_);
+        image_ = parse_image(parser_, ImageUse::kColor);
         kind_ = Kind::kImage;
         return true;
       case Keyword::kUvMapping:

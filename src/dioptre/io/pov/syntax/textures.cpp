@@ -158,7 +158,7 @@ class TextureParser {
 
   static ImageId parse_image_and_textures(Parser& parser, std::vector<TextureId>& textures);
 
-  /// An old spelling of checker with textures.
+  /// An old spelling of checker with textures, the second of which gets the even cells (measured).
   void parse_tiles() {
     const Parser::Nesting nesting(parser_);
     parser_.expect('{', "after tiles");
@@ -172,7 +172,7 @@ class TextureParser {
       while (parser_.accept(Keyword::kTexture)) {
         texture = layered(parser_, texture, parse_texture(parser_));
       }
-      entries_.push_back({static_cast<double>(i), texture});
+      entries_.insert(entries_.begin(), {1.0 - i, texture});
       if (i == 0 && !parser_.accept(Keyword::kTile2)) parser_.fail_expected("tile2");
     }
     parser_.expect('}', "after tile2");
@@ -202,11 +202,12 @@ class TextureParser {
 };
 
 ImageId TextureParser::parse_image_and_textures(Parser& parser, std::vector<TextureId>& textures) {
-  return parse_image(parser, [&] {
+  const auto parse_entry = [&] {
     if (!parser.accept(Keyword::kTexture)) return false;
     textures.push_back(parse_texture(parser));
     return true;
-  });
+  };
+  return parse_image(parser, ImageUse::kNumbers, parse_entry);
 }
 
 /// The contents of a texture; a lone name keeps its texture as it is.

@@ -30,6 +30,22 @@ TEST(Textures, OfAnObjectWithoutOneIsTheDefaultOfItsPlace) {
   EXPECT_EQ(color(1).color, (Color{0, 1, 0}));
 }
 
+TEST(Textures, EntriesOfANormalBeginWithTheDefaultNormal) {
+  for (const std::string entries : {"gradient x normal_map { [0 marble] [1 gradient y] }",
+                                    "checker normal { marble } normal { gradient y }"}) {
+    const Scene scene = scene_of("#default { normal { bump_size 1.5 } }\nsphere { 0, 1 normal { " +
+                                 entries + " } }");
+    const Normal& normal = at(scene.normals, layers_of(scene).layers.at(0).normal);
+    const auto& map = std::get<NormalMapNormal>(normal.data);
+    ASSERT_EQ(map.entries.size(), 2u);
+    for (const NormalEntry& entry : map.entries) {
+      const Normal& inner = at(scene.normals, entry.normal);
+      EXPECT_TRUE(inner.has_bump_size) << entries;
+      EXPECT_EQ(inner.bump_size, 1.5) << entries;
+    }
+  }
+}
+
 TEST(Textures, SeveralAreLayersFromTheBottom) {
   const Scene scene = scene_of(
       "#declare A = sphere { 0, 1 texture { pigment { rgb x } } }\n"
@@ -49,6 +65,19 @@ TEST(Textures, ANewNormalStaysWhereThePigmentHasMoved) {
   const auto& pigment = std::get<ColorMapPigment>(at(scene.pigments, layer.pigment).data);
   ASSERT_EQ(pigment.pattern.warps.size(), 1u);
   EXPECT_EQ(std::get<TransformWarp>(pigment.pattern.warps[0]).transform, scaling({4, 4, 4}));
+}
+
+TEST(Textures, OfTilesTheSecondIsOnTheEvenCells) {
+  const Scene scene = scene_of(
+      "sphere { 0, 1 texture { tiles { texture { pigment { rgb x } } "
+      "tile2 texture { pigment { rgb y } } } } }");
+  const Object& object = at(scene.objects, scene.roots.at(0));
+  const auto& map = std::get<TextureMap>(at(scene.textures, object.texture).data);
+  ASSERT_TRUE(std::holds_alternative<Checker>(map.pattern.data));
+  ASSERT_EQ(map.entries.size(), 2u);
+  const auto& even = std::get<LayeredTexture>(at(scene.textures, map.entries[0].texture).data);
+  EXPECT_EQ(std::get<SolidPigment>(at(scene.pigments, even.layers[0].pigment).data).color.color.g,
+            1);
 }
 
 TEST(Pigments, TransformationsMergeAndTurbulenceComesFirst) {
