@@ -37,6 +37,7 @@ function(dioptre_module name)
   target_link_libraries(dioptre_${name} PRIVATE dioptre_flags ${ARG_LIBRARIES})
   set_target_properties(dioptre_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   add_dependencies(dioptre_io dioptre_${name})
+  target_compile_definitions(dioptre_io PRIVATE DIOPTRE_MODULE_FOLDER="${CMAKE_BINARY_DIR}")
   install(TARGETS dioptre_${name} LIBRARY DESTINATION lib/dioptre)
 endfunction()
 
