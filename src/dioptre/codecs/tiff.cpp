@@ -20,7 +20,8 @@ struct TiffInput {
 
 tmsize_t read_some(thandle_t handle, void* out, tmsize_t size) {
   auto* in = static_cast<TiffInput*>(handle);
-  if (size < 0 || in->at > in->bytes.size()) return -1;
+  // As a file does, this gives nothing beyond its end: libtiff does not expect an error here.
+  if (size < 0 || in->at > in->bytes.size()) return 0;
   const std::uint64_t count =
       std::min<std::uint64_t>(static_cast<std::uint64_t>(size), in->bytes.size() - in->at);
   std::memcpy(out, in->bytes.data() + in->at, count);
@@ -70,6 +71,29 @@ bool read_converted(TIFF* tiff, ImageData& data) {
   return true;
 }
 
+/// Whether libtiff may be trusted to convert the layout: with odd numbers of samples it writes
+/// beyond its buffers.
+bool is_convertible(TIFF* tiff) {
+  std::uint16_t samples = 1, depth = 1, photometric = 0;
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &samples);
+  TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &depth);
+  if (TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &photometric) == 0) return false;
+  const bool known_depth = depth == 1 || depth == 2 || depth == 4 || depth == 8 || depth == 16;
+  switch (photometric) {
+    case PHOTOMETRIC_MINISWHITE:
+    case PHOTOMETRIC_MINISBLACK:
+      return known_depth && samples <= 2;
+    case PHOTOMETRIC_PALETTE:
+      return known_depth && samples == 1;
+    case PHOTOMETRIC_RGB:
+      return (depth == 8 || depth == 16) && (samples == 3 || samples == 4);
+    case PHOTOMETRIC_YCBCR:
+      return depth == 8 && samples == 3;
+    default:
+      return false;
+  }
+}
+
 bool is_plain(TIFF* tiff, std::uint32_t& channels, std::uint32_t& bits) {
   std::uint16_t samples = 1, depth = 1, layout = 0, photometric = 0, orientation = 1, extra = 0;
   std::uint16_t format = SAMPLEFORMAT_UINT;
@@ -103,6 +127,7 @@ Result<DecodedImage> decode(TIFF* tiff, const TiffInput& in, std::uint64_t max_p
   if (pixels / 2000 > in.bytes.size()) return fail("the file is too short for its header");
   std::uint32_t bits = 8;
   const bool plain = is_plain(tiff, data.channels, bits);
+  if (!plain && !is_convertible(tiff)) return fail("its layout of samples is not read");
   data.pixels.reserve(pixels * (plain ? data.channels : 4));
   if (!(plain ? read_rows(tiff, data, bits) : read_converted(tiff, data))) {
     return fail("the pixels are cut or damaged (at byte " + std::to_string(in.at) + ")");
