@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace dioptre {
 
@@ -21,6 +22,7 @@ constexpr Color operator*(Color a, Color b) { return {a.r * b.r, a.g * b.g, a.b 
 constexpr Color operator*(Color a, float s) { return {a.r * s, a.g * s, a.b * s}; }
 constexpr Color operator*(float s, Color a) { return a * s; }
 constexpr float max_component(Color c) { return std::max(c.r, std::max(c.g, c.b)); }
+inline Color abs(Color c) { return {std::fabs(c.r), std::fabs(c.g), std::fabs(c.b)}; }
 constexpr bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 /// The weights of a scene file's `.gray`.
 constexpr float gray(Color c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }

@@ -103,7 +103,7 @@ Radiance Whitted::radiance(const Ray& camera_ray, RayCounts& counts) const {
 bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
   const Settings& settings = scene_.scene().settings;
   return level < settings.max_trace_level &&
-         max_component(weight) >= static_cast<float>(settings.adc_bailout);
+         max_component(abs(weight)) >= static_cast<float>(settings.adc_bailout);
 }
 
 /// Follows one ray through all surfaces it goes straight or bent through; what is mirrored on the

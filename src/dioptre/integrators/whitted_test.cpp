@@ -160,6 +160,15 @@ TEST(Whitted, TotalReflectionMirrorsAllTheLightAndNothingElseDoes) {
   EXPECT_NEAR(seen(0.5f, 0.7f, true), 0.03, 1e-6);
 }
 
+TEST(Whitted, WhatCountsNegativelyCounts) {
+  OnePixel pixel;
+  pixel.scene.atmosphere.background = {0.25f, 0.25f, 0.25f};
+  pixel.add(kUnitBox, clear(0, -1), dark());
+  EXPECT_NEAR(pixel.render().g, 0.25, 1e-6);  // twice by -1
+  pixel.add(Plane{{0, 0, -1}, -2}, clear(0, -1), dark());
+  EXPECT_NEAR(pixel.render().g, -0.25, 1e-6);
+}
+
 TEST(Whitted, RaysThatCountForLessThanTheBailoutAreDropped) {
   for (const auto& [bailout, expected] :
        {std::pair{0.6, 0.1}, {0.5, 0.15}, {0.26, 0.15}, {0.25, 0.175}, {0.1, 0.1875}}) {
