@@ -82,10 +82,17 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
   distance -= kShadowGap;
   if (distance <= kShadowGap || light.shadowless) return {1, 1, 1};
   ++counts.shadow;
-  const Color through = scene_.transmittance(ray, {kShadowGap, distance});
+  const Interval range{kShadowGap, distance};
+  thread_local std::vector<Hit> hits;
+  if (!scene_.shadow_hits(ray, range, hits)) return {};
+  Color through{1, 1, 1};
+  for (const Hit& hit : hits) {
+    through *= scene_.surface_transmittance(ray, hit);
+    if (is_black(through)) return {};
+  }
   const bool in_fog = light.media_attenuation && media_.any_fog();
-  if (is_black(through) || !(in_fog || media_.any_fades())) return through;
-  return through * media_.transmittance(ray, {kShadowGap, distance}, in_fog);
+  const bool in_solids = media_.any_fades() && !hits.empty();
+  return in_fog || in_solids ? through * media_.transmittance(ray, range, hits, in_fog) : through;
 }
 
 Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,

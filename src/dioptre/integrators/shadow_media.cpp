@@ -33,7 +33,8 @@ ShadowMedia::ShadowMedia(const RenderScene& scene) : scene_(scene) {
   any_fog_ = !scene.scene().atmosphere.fogs.empty();
 }
 
-Color ShadowMedia::transmittance(const Ray& ray, Interval range, bool in_fog) const {
+Color ShadowMedia::transmittance(const Ray& ray, Interval range, std::span<const Hit> hits,
+                                 bool in_fog) const {
   Color through{1, 1, 1};
   MediaStack media;
   double last = range.min;
@@ -42,8 +43,7 @@ Color ShadowMedia::transmittance(const Ray& ray, Interval range, bool in_fog) co
     const Ray stretch{ray.at(last), ray.direction};
     through *= fog_effect(scene_, stretch, end - last).transmittance;
   };
-  Hit hit;
-  while (scene_.nearest(ray, range, RayPurpose::kShadow, hit)) {
+  for (const Hit& hit : hits) {
     pass_fog(hit.crossing.t);
     const InteriorId interior = scene_.part(hit).interior;
     const MediaStack::Entry entry = MediaStack::entry(interior, hit.item);
@@ -57,7 +57,6 @@ Color ShadowMedia::transmittance(const Ray& ray, Interval range, bool in_fog) co
     }
     if (is_black(through)) return through;
     last = hit.crossing.t;
-    range.min = last + kShadowGap;
   }
   pass_fog(range.max);
   return through;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "dioptre/core/color.h"
 #include "dioptre/core/ray.h"
 #include "dioptre/render/render_scene.h"
@@ -18,9 +20,10 @@ class ShadowMedia {
   bool any_fog() const { return any_fog_; }
 
   /// The share of light left by what a ray is in, over the range of its length; of the fog only
-  /// if `in_fog`. A solid dims the light where the ray leaves it, by the distance since the surface
-  /// met last. Solids that the origin lies in do not count, nor does a fade_power of 0 (measured).
-  Color transmittance(const Ray& ray, Interval range, bool in_fog) const;
+  /// if `in_fog`. `hits` are the surfaces met (RenderScene::shadow_hits). A solid dims the light
+  /// where the ray leaves it, by the distance since the surface met last. Solids that the origin
+  /// lies in do not count, nor does a fade_power of 0 (measured).
+  Color transmittance(const Ray& ray, Interval range, std::span<const Hit> hits, bool in_fog) const;
 
  private:
   const RenderScene& scene_;

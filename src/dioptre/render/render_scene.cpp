@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/render/render_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -121,48 +122,37 @@ Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
   return through * caustic(facing, ray.direction, leaving);
 }
 
-Color RenderScene::item_transmittance(const Item& item, const Ray& ray, Interval range) const {
-  Color through{1, 1, 1};
-  Hit hit{{}, &item};
-  while (item.shape->nearest(ray, range, hit.crossing)) {
-    through *= surface_transmittance(ray, hit);
-    if (is_black(through)) return through;
-    range.min = hit.crossing.t + kShadowGap;
-  }
-  return through;
-}
-
-Color RenderScene::ordered_transmittance(const Ray& ray, Interval range) const {
-  Color through{1, 1, 1};
-  Hit hit;
-  while (nearest(ray, range, RayPurpose::kShadow, hit)) {
-    through *= surface_transmittance(ray, hit);
-    if (is_black(through)) return through;
-    range.min = hit.crossing.t + kShadowGap;
-  }
-  return through;
-}
-
-Color RenderScene::transmittance(const Ray& ray, Interval range) const {
-  Color through{1, 1, 1};
-  int filters = 0;
+bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits) const {
+  thread_local Crossings crossings;
+  hits.clear();
+  bool blocked = false;
   FunctionVisitor visitor([&](std::uint32_t index, Interval& r) {
     const Item& item = items_[index];
     if (item.no_shadow) return true;
     if (item.opaque) {
       Crossing crossing;
-      if (!item.shape->nearest(ray, r, crossing)) return true;
-      through = {};
-    } else {
-      const Color of_item = item_transmittance(item, ray, r);
-      if (of_item == Color{1, 1, 1}) return true;
-      through *= of_item;
-      ++filters;
+      blocked = item.shape->nearest(ray, r, crossing);
+      return !blocked;
     }
-    return !is_black(through);
+    crossings.clear();
+    item.shape->crossings(ray, r, crossings);
+    for (const Crossing& crossing : crossings) {
+      if (crossing.visible) hits.push_back({crossing, &item});
+    }
+    return true;
   });
   accelerator_->visit(ray, range, visitor);
-  return filters > 1 && !is_black(through) ? ordered_transmittance(ray, range) : through;
+  if (blocked || hits.size() < 2) return !blocked;
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.item < b.item;
+  });
+  double last = -kInfinity;
+  std::erase_if(hits, [&last](const Hit& hit) {
+    if (hit.crossing.t <= last + kShadowGap) return true;
+    last = hit.crossing.t;
+    return false;
+  });
+  return true;
 }
 
 }  // namespace dioptre

@@ -83,9 +83,14 @@ class RenderScene {
 
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
 
-  /// The share of light that gets through all surfaces met in the range, brightened by `caustics`;
-  /// black as soon as an opaque one is met. What the insides of solids take is not counted.
-  Color transmittance(const Ray& ray, Interval range) const;
+  /// Finds the surfaces that light meets within the range, in order, into `hits`; of those that
+  /// touch (kShadowGap) only the first. False if one belongs to an opaque item: no light comes
+  /// through, and `hits` is of no use.
+  bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits) const;
+
+  /// The share of light that gets through such a surface, brightened by `caustics`. What the
+  /// insides of solids take is not counted.
+  Color surface_transmittance(const Ray& ray, const Hit& hit) const;
 
   /// The texture of a surface seen along the ray: its layers, with normals in world space. The
   /// normal of the interaction must face the viewer already.
@@ -106,9 +111,6 @@ class RenderScene {
  private:
   friend class Compiler;
   explicit RenderScene(const Scene& scene) : scene_(scene) {}
-  Color surface_transmittance(const Ray& ray, const Hit& hit) const;
-  Color ordered_transmittance(const Ray& ray, Interval range) const;
-  Color item_transmittance(const Item& item, const Ray& ray, Interval range) const;
   float caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const;
   TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view) const;
 
