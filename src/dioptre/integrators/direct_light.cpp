@@ -2,7 +2,7 @@
 #include "dioptre/integrators/direct_light.h"
 
 #include <cmath>
-#include <map>
+#include <optional>
 #include <utility>
 
 #include "dioptre/integrators/spawn.h"
@@ -18,21 +18,17 @@ template <class Sample>
 class GridMean {
  public:
   GridMean(const AreaLight& area, Sample sample)
-      : area_(area),
-        sample_(std::move(sample)),
-        known_(std::size_t{area.size1} * area.size2),
-        values_(known_.size()) {}
+      : area_(area), sample_(std::move(sample)), samples_(samples()) {
+    samples_.assign(std::size_t{area.size1} * area.size2, {});
+  }
 
   Color mean() { return block(0, 0, area_.size1 - 1, area_.size2 - 1, 0); }
 
  private:
   Color at(std::uint32_t i, std::uint32_t j) {
-    const std::size_t index = std::size_t{j} * area_.size1 + i;
-    if (!known_[index]) {
-      known_[index] = true;
-      values_[index] = sample_(i, j);
-    }
-    return values_[index];
+    std::optional<Color>& known = samples_[std::size_t{j} * area_.size1 + i];
+    if (!known) known = sample_(i, j);
+    return *known;
   }
 
   Color block(std::uint32_t i0, std::uint32_t j0, std::uint32_t i1, std::uint32_t j1, int level) {
@@ -55,10 +51,15 @@ class GridMean {
     return std::fabs(d.r) + std::fabs(d.g) + std::fabs(d.b) <= 0.1f;
   }
 
+  /// Room that each thread keeps.
+  static std::vector<std::optional<Color>>& samples() {
+    thread_local std::vector<std::optional<Color>> kept;
+    return kept;
+  }
+
   const AreaLight& area_;
   Sample sample_;
-  std::vector<bool> known_;
-  std::vector<Color> values_;
+  std::vector<std::optional<Color>>& samples_;
 };
 
 }  // namespace
@@ -71,7 +72,8 @@ DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& opti
 /// A light that is projected through an object shines only where that is in between, and only what
 /// is on this side of it throws shadows (measured).
 Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
-                         const SurfaceInteraction& at, RayCounts& counts) const {
+                         const SurfaceInteraction& at, const Item*& blocker,
+                         RayCounts& counts) const {
   const Light& light = lights_[number].light();
   const Ray ray = spawn_ray(at, to_light);
   if (light.projected_through) {
@@ -84,7 +86,7 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
   ++counts.shadow;
   const Interval range{kShadowGap, distance};
   thread_local std::vector<Hit> hits;
-  if (!scene_.shadow_hits(ray, range, hits)) return {};
+  if (!scene_.shadow_hits(ray, range, hits, blocker)) return {};
   Color through{1, 1, 1};
   for (const Hit& hit : hits) {
     through *= scene_.surface_transmittance(ray, hit);
@@ -96,10 +98,10 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
 }
 
 Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
-                            RayCounts& counts) const {
+                            const Item*& blocker, RayCounts& counts) const {
   const Vec3 to_light = light_position - at.surface.position;
   const double distance = length(to_light);
-  return along(number, to_light / distance, distance, at, counts);
+  return along(number, to_light / distance, distance, at, blocker, counts);
 }
 
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
@@ -107,11 +109,13 @@ Color DirectLight::visibility(const LightSource& source, const Illumination& ill
   const Light& light = source.light();
   if ((light.shadowless && !light.projected_through) || !shadows_) return {1, 1, 1};
   const auto number = static_cast<std::size_t>(&source - lights_.data());
+  // What hides one sample of an area light is likely to hide the next one too.
+  const Item* blocker = nullptr;
   if (!light.is_area) {
-    return along(number, illumination.to_light, illumination.distance, at, counts);
+    return along(number, illumination.to_light, illumination.distance, at, blocker, counts);
   }
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
-    return to_point(number, source.sample(i, j, at.surface.position), at, counts);
+    return to_point(number, source.sample(i, j, at.surface.position), at, blocker, counts);
   };
   return GridMean(light.area, sample).mean();
 }

@@ -24,9 +24,9 @@ class DirectLight {
 
  private:
   Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
-                 RayCounts& counts) const;
+                 const Item*& blocker, RayCounts& counts) const;
   Color along(std::size_t number, Vec3 to_light, double distance, const SurfaceInteraction& at,
-              RayCounts& counts) const;
+              const Item*& blocker, RayCounts& counts) const;
 
   const RenderScene& scene_;
   std::vector<LightSource> lights_;

@@ -122,17 +122,19 @@ Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
   return through * caustic(facing, ray.direction, leaving);
 }
 
-bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits) const {
+bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
+                              const Item*& blocker) const {
   thread_local Crossings crossings;
+  Crossing nearest;
+  if (blocker && blocker->shape->nearest(ray, range, nearest)) return false;
   hits.clear();
-  bool blocked = false;
+  blocker = nullptr;
   FunctionVisitor visitor([&](std::uint32_t index, Interval& r) {
     const Item& item = items_[index];
     if (item.no_shadow) return true;
     if (item.opaque) {
-      Crossing crossing;
-      blocked = item.shape->nearest(ray, r, crossing);
-      return !blocked;
+      if (item.shape->nearest(ray, r, nearest)) blocker = &item;
+      return blocker == nullptr;
     }
     crossings.clear();
     item.shape->crossings(ray, r, crossings);
@@ -142,7 +144,7 @@ bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& 
     return true;
   });
   accelerator_->visit(ray, range, visitor);
-  if (blocked || hits.size() < 2) return !blocked;
+  if (blocker || hits.size() < 2) return blocker == nullptr;
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.item < b.item;
   });

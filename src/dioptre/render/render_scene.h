@@ -85,8 +85,10 @@ class RenderScene {
 
   /// Finds the surfaces that light meets within the range, in order, into `hits`; of those that
   /// touch (kShadowGap) only the first. False if one belongs to an opaque item: no light comes
-  /// through, and `hits` is of no use.
-  bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits) const;
+  /// through, `hits` is of no use, and `blocker` becomes that item. If `blocker` is one already, it
+  /// is looked at first.
+  bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
+                   const Item*& blocker) const;
 
   /// The share of light that gets through such a surface, brightened by `caustics`. What the
   /// insides of solids take is not counted.
