@@ -74,6 +74,16 @@ Blob blob() {
   return b;
 }
 
+/// Hills with a pit and, at a corner, land at 0.
+HeightField height_field(double water_level, bool smooth) {
+  HeightGrid grid;
+  grid.width = 7;
+  grid.depth = 5;
+  for (int k = 0; k < 35; ++k)
+    grid.heights.push_back(k == 0 ? 0 : static_cast<float>(k * 13 % 29) / 32);
+  return {grid, water_level, smooth};
+}
+
 Text text() {
   Text t;
   t.font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
@@ -200,6 +210,8 @@ void add_others(std::vector<ShapeSample>& all) {
   add("SweepOfDots", SphereSweep{SphereSweepSpline::kLinear,
                                  {{{0, 0, 0}, 1}, {{0.2, 0, 0}, 0.2}, {{2, 0, 0}, 0}}});
   add("Blob", blob());
+  add("HeightField", height_field(0, false));
+  add("FloodedHeightField", height_field(0.4, true));
   add("Text", text());
 }
 

@@ -8,6 +8,7 @@
 #include "dioptre/geometry/cone/cone.h"
 #include "dioptre/geometry/cylinder/cylinder.h"
 #include "dioptre/geometry/disc/disc.h"
+#include "dioptre/geometry/height_field/height_field.h"
 #include "dioptre/geometry/lathe/lathe.h"
 #include "dioptre/geometry/mesh/mesh.h"
 #include "dioptre/geometry/ovus/ovus.h"
@@ -28,9 +29,9 @@ namespace dioptre {
 
 /// The one list of primitives. A new primitive adds its folder and its name here; laws, JSON and
 /// the compiler then know it.
-using ShapeData =
-    std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly, Triangle, Mesh,
-                 Polygon, Prism, Blob, Text, Superellipsoid, Lathe, Sor, SphereSweep, Ovus>;
+using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly,
+                               Triangle, Mesh, Polygon, Prism, Blob, Text, Superellipsoid, Lathe,
+                               Sor, SphereSweep, Ovus, HeightField>;
 
 /// Prepares whichever primitive it is.
 inline Result<ShapePtr> prepare(const ShapeData& data) {

@@ -75,6 +75,7 @@ void parse_mesh(Parser& parser, Item& item);
 void parse_mesh2(Parser& parser, Item& item);
 void parse_blob(Parser& parser, Item& item);
 void parse_prism(Parser& parser, Item& item);
+void parse_height_field(Parser& parser, Item& item);
 
 // --- lights, camera, surroundings ---------------------------------------------------------------
 Item parse_light(Parser& parser);

@@ -172,6 +172,9 @@ bool parse_shape(Parser& parser, Keyword keyword, Item& item) {
       return set(parse_triangle(parser, false, item.drawn));
     case Keyword::kSmoothTriangle:
       return set(parse_triangle(parser, true, item.drawn));
+    case Keyword::kHeightField:
+      parse_height_field(parser, item);
+      return true;
     default:
       return parse_composite_shape(parser, keyword, item) ||
              parse_curved_shape(parser, keyword, item) ||

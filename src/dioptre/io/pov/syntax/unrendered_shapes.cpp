@@ -40,36 +40,6 @@ void parse_bicubic_patch(Parser& parser) {
   for (int i = 0; i < 16; ++i) skip_vector(parser);
 }
 
-void skip_image_format(Parser& parser) {
-  accept_any(parser, {Keyword::kGif, Keyword::kTga, Keyword::kPng, Keyword::kJpeg, Keyword::kTiff,
-                      Keyword::kPgm, Keyword::kPpm, Keyword::kSys, Keyword::kHdr, Keyword::kExr,
-                      Keyword::kPot});
-}
-
-void parse_height_field(Parser& parser) {
-  if (parser.accept(Keyword::kFunction)) {
-    skip_float(parser);
-    skip_float(parser);
-    parser.parse_function();
-  } else {
-    skip_image_format(parser);
-    parser.find_file(parser.parse_file_name());
-  }
-  for (;;) {
-    if (parser.accept(Keyword::kSmooth)) {
-      parser.parse_flag();
-    } else if (parser.accept(Keyword::kWaterLevel)) {
-      parser.parse_float();
-    } else if (parser.accept(Keyword::kGamma)) {
-      if (!parser.accept(Keyword::kSrgb)) parser.parse_float();
-    } else if (parser.accept(Keyword::kPremultiplied)) {
-      parser.parse_flag();
-    } else if (!parser.accept(',')) {
-      return;
-    }
-  }
-}
-
 /// The kinds of quaternion formulas are words that stand alone.
 void parse_julia_fractal(Parser& parser) {
   parser.parse_numeric();
@@ -173,9 +143,6 @@ bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
   switch (keyword) {
     case Keyword::kBicubicPatch:
       parse_bicubic_patch(parser);
-      return true;
-    case Keyword::kHeightField:
-      parse_height_field(parser);
       return true;
     case Keyword::kJuliaFractal:
       parse_julia_fractal(parser);
