@@ -37,7 +37,10 @@ Crossing cross_plane(const Ray& ray, std::size_t axis, double at, std::uint32_t 
 class PreparedHeightField final : public Shape {
  public:
   explicit PreparedHeightField(const HeightField& field)
-      : land_(field.grid), tree_(land_), water_(field.water_level), smooth_(field.smooth) {
+      : land_(field.grid, field.smooth_scale),
+        tree_(land_),
+        water_(field.water_level),
+        smooth_(field.smooth) {
     const Interval heights = tree_.heights();
     const double top = std::fmax(heights.max, water_);
     const double lowest = std::fmin(heights.min, 0);
@@ -226,6 +229,10 @@ Result<ShapePtr> prepare(const HeightField& field) {
     if (!std::isfinite(height)) return fail("height_field has a height that is not finite");
   }
   if (!std::isfinite(field.water_level)) return fail("height_field water_level is not finite");
+  const Vec3 scale = field.smooth_scale;
+  if (!is_finite(scale) || !(scale.x > 0 && scale.y > 0 && scale.z > 0)) {
+    return fail("height_field smooth_scale must be greater than 0");
+  }
   return std::make_unique<PreparedHeightField>(field);
 }
 

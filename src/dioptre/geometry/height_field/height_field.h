@@ -31,7 +31,8 @@ struct HeightField {
   static constexpr const char* kName = "height_field";
   Shared<HeightGrid> grid;
   double water_level = 0;
-  bool smooth = false;  ///< shaded with normals mixed between the points of the grid
+  bool smooth = false;         ///< shaded with normals mixed between the points of the grid
+  Vec3 smooth_scale{1, 1, 1};  ///< how much larger the field is where its normals are mixed
 
   bool operator==(const HeightField&) const = default;
 
@@ -40,12 +41,13 @@ struct HeightField {
     visit("grid", self.grid);
     visit("water_level", self.water_level);
     visit("smooth", self.smooth);
+    visit("smooth_scale", self.smooth_scale);
   }
 };
 
 /// Checks the parameters and does all work that does not depend on a ray. An error for a grid of
-/// less than 2 x 2 or more than 2^28 points or of the wrong size, and for numbers that are not
-/// finite.
+/// less than 2 x 2 or more than 2^28 points or of the wrong size, for numbers that are not
+/// finite, and for a smooth_scale with a part that is not greater than 0.
 Result<ShapePtr> prepare(const HeightField& field);
 
 }  // namespace dioptre

@@ -55,15 +55,17 @@ Vec3 Land::corner_normal(std::uint32_t i, std::uint32_t j) const {
     }
   }
   const Vec3 n = kNormalSteps * unit_or_zero(sum);
-  return unit_or_zero(
-      {std::trunc(n.x) * cells_x(), std::trunc(n.y) * kStepsUp, std::trunc(n.z) * cells_z()});
+  const Vec3 unscaled{std::trunc(n.x) * cells_x(), std::trunc(n.y) * kStepsUp,
+                      std::trunc(n.z) * cells_z()};
+  return unit_or_zero({unscaled.x / scale_.x, unscaled.y / scale_.y, unscaled.z / scale_.z});
 }
 
 Vec3 Land::smooth_normal_at(double x, double z) const {
   const auto [i, j, u, v] = place(x, z);
   const Vec3 low = (1 - u) * corner_normal(i, j) + u * corner_normal(i + 1, j);
   const Vec3 high = (1 - u) * corner_normal(i, j + 1) + u * corner_normal(i + 1, j + 1);
-  return unit_or_zero((1 - v) * low + v * high);
+  const Vec3 scaled = (1 - v) * low + v * high;
+  return unit_or_zero({scaled.x * scale_.x, scaled.y * scale_.y, scaled.z * scale_.z});
 }
 
 }  // namespace dioptre

@@ -18,7 +18,7 @@ struct LandPlace {
 /// c = j (width - 1) + i, triangle 2 c + 1 the one at its high corner.
 class Land {
  public:
-  explicit Land(Shared<HeightGrid> grid) : grid_(std::move(grid)) {}
+  Land(Shared<HeightGrid> grid, Vec3 smooth_scale) : grid_(std::move(grid)), scale_(smooth_scale) {}
 
   std::uint32_t cells_x() const { return grid_->width - 1; }
   std::uint32_t cells_z() const { return grid_->depth - 1; }
@@ -34,14 +34,17 @@ class Land {
   LandPlace place(double x, double z) const;
   /// The height of the triangles at x and z in [0, 1].
   double height_at(double x, double z) const;
-  /// The unit normal at x and z, bilinear in the cell between those of its corners, which are kept
-  /// in steps of 1/32767 in a space where cells are as long as 1/65536 is high; 0 if they cancel.
+  /// The unit normal at x and z. It is bilinear in the cell between those of its corners, which
+  /// are unit vectors where the field is scaled; 0 if they cancel.
   Vec3 smooth_normal_at(double x, double z) const;
 
  private:
+  /// The normal where the field is scaled. It is kept in steps of 1/32767 where cells are 1 long
+  /// and heights are 65536 times as high (measured): steep land has only few of them.
   Vec3 corner_normal(std::uint32_t i, std::uint32_t j) const;
 
   Shared<HeightGrid> grid_;
+  Vec3 scale_;
 };
 
 }  // namespace dioptre

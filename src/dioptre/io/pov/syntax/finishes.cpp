@@ -163,6 +163,7 @@ class FinishParser {
     parser_.expect('{', "after irid");
     finish_.use_irid = true;
     finish_.irid = parser_.parse_float();
+    if (finish_.irid != 0) parser_.not_rendered("irid");
     while (!parser_.accept('}')) {
       if (parser_.accept(Keyword::kThickness)) {
         finish_.irid_thickness = parser_.parse_float();

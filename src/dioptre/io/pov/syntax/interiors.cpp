@@ -15,6 +15,7 @@ bool parse_interior_item(Parser& parser, Interior& interior) {
     case Keyword::kDispersion:
       parser.next();
       interior.dispersion = parser.parse_float();
+      if (interior.dispersion != 1) parser.not_rendered("dispersion");
       return true;
     case Keyword::kDispersionSamples:
       parser.next();

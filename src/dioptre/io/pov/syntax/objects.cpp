@@ -13,6 +13,18 @@ void move_clips(Parser& parser, std::vector<ObjectId>& clips, const Affine& by) 
   }
 }
 
+/// The normals of smooth height fields are mixed where the field has been scaled (measured).
+void scale_smooth_normals(Object& object) {
+  auto* shape = std::get_if<ShapeData>(&object.geometry);
+  auto* field = shape ? std::get_if<HeightField>(shape) : nullptr;
+  if (!field || !field->smooth) return;
+  const Affine& to_parent = object.transform;
+  const Vec3 scale{length(to_parent.vector({1, 0, 0})), length(to_parent.vector({0, 1, 0})),
+                   length(to_parent.vector({0, 0, 1}))};
+  const bool usable = is_finite(scale) && scale.x > 0 && scale.y > 0 && scale.z > 0;
+  field->smooth_scale = usable ? scale : Vec3{1, 1, 1};
+}
+
 bool begins_object(Keyword keyword) {
   switch (keyword) {
     case Keyword::kSphere:
@@ -120,6 +132,7 @@ ObjectId add_part(Parser& parser, Object object, SourcePosition where) {
 
 void transform_object(Parser& parser, Object& object, const Affine& by) {
   object.transform = then(object.transform, by);
+  scale_smooth_normals(object);
   if (object.texture || object.interior_texture) {
     object.texture_transform = then(object.texture_transform, by);
   }
