@@ -74,13 +74,18 @@ Result<CameraRays> CameraRays::prepare(const Camera& camera) {
 
 std::optional<Ray> CameraRays::ray(double x, double y, std::uint32_t width, std::uint32_t height,
                                    Vec2 lens) const {
-  const std::optional<Ray> sharp = pinhole({x / width - 0.5, 0.5 - y / height});
+  const std::optional<Ray> sharp = pinhole(x / width - 0.5, 0.5 - y / height);
   if (!sharp || !has_lens()) return sharp;
   return through_lens(*sharp, lens);
 }
 
-/// `at` is the place on the image from its centre, in widths to the right and heights upwards.
-std::optional<Ray> CameraRays::pinhole(Vec2 at) const {
+/// `x` and `y` are the place on the image from its centre, in widths to the right and heights
+/// upwards.
+std::optional<Ray> CameraRays::pinhole(double x, double y) const {
+  if (camera_.kind == Camera::Kind::kPerspective) {
+    return Ray{camera_.location, normalize(camera_.direction + x * camera_.right + y * camera_.up)};
+  }
+  const Vec2 at{x, y};
   const double angle = camera_.angle * kRadians;
   const auto along = [&](double right, double up, double forward) {
     return normalize(right * right_ + up * up_ + forward * forward_);
@@ -88,7 +93,7 @@ std::optional<Ray> CameraRays::pinhole(Vec2 at) const {
   const Vec3 eye = camera_.location;
   switch (camera_.kind) {
     case Camera::Kind::kPerspective:
-      return Ray{eye, normalize(camera_.direction + at.x * camera_.right + at.y * camera_.up)};
+      break;
     case Camera::Kind::kOrthographic:
       return Ray{eye + at.x * camera_.right + at.y * camera_.up, forward_};
     case Camera::Kind::kFisheye: {

@@ -30,7 +30,7 @@ class CameraRays {
 
  private:
   explicit CameraRays(const Camera& camera);
-  std::optional<Ray> pinhole(Vec2 at) const;
+  std::optional<Ray> pinhole(double x, double y) const;
   std::optional<Ray> through_lens(const Ray& pinhole, Vec2 lens) const;
 
   Camera camera_;

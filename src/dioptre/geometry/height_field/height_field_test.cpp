@@ -38,7 +38,8 @@ TEST(HeightField, OnlyLandAboveTheWaterIsSeen) {
 
 TEST(HeightField, ThePlainIsSmoothAndFlatAtAnyScale) {
   for (const double scale : {1e-3, 1.0, 1e3}) {
-    HeightField field{grid_of(3, 3, {0, 0.5f, 1, 0, 0.5f, 1, 0, 0.5f, 1}), 0, true};
+    HeightField field{
+        grid_of(3, 3, {0, 0x1p-7f, 0x1p-6f, 0, 0x1p-7f, 0x1p-6f, 0, 0x1p-7f, 0x1p-6f}), 0, true};
     field.smooth_scale = {1, scale, 1};
     const Surface s = seen_at(field, 0.3, 0.7);
     // Steep land has few steps of normals: see Land.

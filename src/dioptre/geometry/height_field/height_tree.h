@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,7 @@ class HeightTree {
     Entry stack[4 * 32];
     std::size_t size = 0;
     stack[size++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0, 0};
+    const Vec3 inverse{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z};
     const std::uint32_t far_x = ray.direction.x >= 0, far_z = ray.direction.z >= 0;
     Interval rest = range;
     while (size > 0) {
@@ -40,7 +42,7 @@ class HeightTree {
       const Level& l = levels_[level];
       const Range& heights = l.ranges[std::size_t{j} * l.width + i];
       if (!(double{heights.high} >= least)) continue;
-      if (clip(box(level, i, j, heights), ray, rest).empty()) continue;
+      if (!may_meet(box(level, i, j, heights), ray, inverse, rest)) continue;
       if (level == 0) {
         visit(j * land_->cells_x() + i, rest);
         continue;
@@ -65,6 +67,25 @@ class HeightTree {
     std::uint32_t width = 0, depth = 0;
     std::vector<Range> ranges;
   };
+
+  /// As clip(), for rays whose inverse direction is known.
+  static bool may_meet(const Bounds& b, const Ray& ray, const Vec3& inverse, Interval range) {
+    constexpr double kRounding = 0x1p-50;
+    for (const std::size_t axis : {1, 0, 2}) {
+      const double origin = ray.origin[axis];
+      if (!std::isfinite(inverse[axis])) {
+        const bool within = b.min[axis] <= origin && origin <= b.max[axis];
+        if (ray.direction[axis] == 0 && !within) return false;
+        continue;
+      }
+      const double a = (b.min[axis] - origin) * inverse[axis];
+      const double c = (b.max[axis] - origin) * inverse[axis];
+      const double near = std::min(a, c), far = std::max(a, c);
+      range.min = std::max(range.min, near - kRounding * std::fabs(near));
+      range.max = std::min(range.max, far + kRounding * std::fabs(far));
+    }
+    return !range.empty();
+  }
 
   void fill(std::uint32_t level) {
     const std::uint32_t side = 1u << level;

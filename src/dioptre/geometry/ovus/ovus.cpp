@@ -53,19 +53,18 @@ class PreparedOvus final : public ConvexShape<PreparedOvus> {
       slope = dot(outwards, b);
     };
     double first = 0, last = 1;
-    if (!approach_convex(excess, first, last)) return false;
-    if (!approach_convex(excess, last, first)) last = first;
+    double slope_first = 0, slope_last = 0;
+    if (!approach_convex(excess, first, last, slope_first)) return false;
+    if (!approach_convex(excess, last, first, slope_last)) last = first;
     const double misplaced = shift_error(ray, in_box.min) * length(ray.direction) / scale_;
-    const auto error_at = [&](double s) {
-      double value = 0, slope = 0;
-      excess(s, value, slope);
+    const auto error_of = [&](double slope) {
       const double residual = 16 * kRounding + 4 * misplaced;
       const double steep = std::fabs(slope);
       const double t_rounding = 4 * kRounding * (std::fabs(in_box.min) + std::fabs(in_box.max));
       return (steep > 0 ? std::min(1.0, residual / steep) : 1.0) * step + t_rounding;
     };
-    out.clip_enter(in_box.min + first * step, error_at(first), 0);
-    out.clip_exit(in_box.min + last * step, error_at(last), 0);
+    out.clip_enter(in_box.min + first * step, error_of(slope_first), 0);
+    out.clip_exit(in_box.min + last * step, error_of(slope_last), 0);
     return true;
   }
 

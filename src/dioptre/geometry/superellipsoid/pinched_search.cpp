@@ -74,11 +74,14 @@ void PinchedSearch::search(const Sample& a, const Sample& b, Vec3 signs, int dep
 }
 
 void PinchedSearch::add_root(double low, double high, bool inside_low) {
+  double steepness = 0;
   const auto excess = [&](double s, double& value, double& slope) {
     slope = dot(gauge_.gradient(stretch_.at(s), value), stretch_.step);
     value -= 1;
+    steepness = slope;
   };
-  roots_.add(bracketed_newton(excess, low, high, 0.5 * (low + high), inside_low));
+  const double root = bracketed_newton(excess, low, high, 0.5 * (low + high), inside_low);
+  roots_.add(root, steepness);
 }
 
 }  // namespace dioptre

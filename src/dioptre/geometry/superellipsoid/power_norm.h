@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,12 +53,6 @@ class PowerNorm {
             : p_ == 1 ? -1
                       : -std::numeric_limits<double>::infinity(),
             0};
-  }
-
-  /// The largest of a x + b y for a norm of at most 1, p >= 1: the dual norm of (x, y).
-  double dual(double x, double y) const {
-    if (p_ == 1) return std::max(x, y);
-    return PowerNorm(p_ / (p_ - 1)).value(x, y);
   }
 
   /// Whether all a, b with a norm of at most 1 form a convex set.

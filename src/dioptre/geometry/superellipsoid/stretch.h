@@ -21,10 +21,13 @@ struct StretchRoots {
   static constexpr std::size_t kMost = 32;
   std::size_t count = 0;
   std::array<double, kMost> s{};
+  std::array<double, kMost> slope{};  ///< of the gauge by s
   bool starts_inside = false;
 
-  void add(double at) {
-    if (count < kMost) s[count++] = at;
+  void add(double at, double steepness) {
+    if (count == kMost) return;
+    s[count] = at;
+    slope[count++] = steepness;
   }
 };
 

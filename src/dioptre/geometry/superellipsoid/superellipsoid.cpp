@@ -31,7 +31,7 @@ class PreparedSuperellipsoid final : public Shape {
     if (stretch.begin <= range.min) inside = state;
     for (std::size_t i = 0; i < roots.count; ++i) {
       state = !state;
-      const Crossing crossing = crossing_at(ray, stretch, roots.s[i], state);
+      const Crossing crossing = crossing_at(ray, stretch, roots.s[i], roots.slope[i], state);
       if (crossing.t <= range.min) inside = state;
       if (range.surrounds(crossing.t)) out.push_back(crossing);
     }
@@ -46,7 +46,7 @@ class PreparedSuperellipsoid final : public Shape {
     bool state = roots.starts_inside;
     for (std::size_t i = 0; i < roots.count; ++i) {
       state = !state;
-      out = crossing_at(ray, stretch, roots.s[i], state);
+      out = crossing_at(ray, stretch, roots.s[i], roots.slope[i], state);
       if (range.surrounds(out.t)) return true;
     }
     return false;
@@ -84,27 +84,33 @@ class PreparedSuperellipsoid final : public Shape {
   /// The two ends of the part inside. Those that are of no use to a ray from t = `after` are left
   /// out.
   void find_convex(const BoxStretch& stretch, StretchRoots& roots, double after) const {
-    double first = 0, last = 1;
-    if (!approach(stretch, first, last)) return;
+    double first = 0, last = 1, slope = 0;
+    if (!approach(stretch, first, last, slope)) return;
     roots.starts_inside = stretch.t(first) <= after;
-    if (!roots.starts_inside) roots.add(first);
+    if (!roots.starts_inside) roots.add(first, slope);
     if (!roots.starts_inside && after > -kInfinity) return;
-    roots.add(approach(stretch, last, first) ? last : first);
+    if (!approach(stretch, last, first, slope)) last = first;
+    roots.add(last, slope);
   }
 
-  bool approach(const BoxStretch& stretch, double& s, double end) const {
-    const auto excess = [&](double at, double& value, double& slope) {
-      slope = dot(gauge_.gradient(stretch.at(at), value), stretch.step);
+  /// In float as long as the surface is far, which is several steps of the iteration.
+  bool approach(const BoxStretch& stretch, double& s, double end, double& slope) const {
+    const auto rough = [&](double at, double& value, double& slope) {
+      gauge_.rough_slope(stretch.at(at), stretch.step, value, slope);
       value -= 1;
     };
-    return approach_convex(excess, s, end);
+    if (!come_near_convex(rough, s, end)) return false;
+    const auto excess = [&](double at, double& value, double& by_s) {
+      by_s = dot(gauge_.gradient(stretch.at(at), value), stretch.step);
+      value -= 1;
+    };
+    return approach_convex(excess, s, end, slope);
   }
 
-  Crossing crossing_at(const Ray& ray, const BoxStretch& stretch, double s, bool entering) const {
+  Crossing crossing_at(const Ray& ray, const BoxStretch& stretch, double s, double slope_by_s,
+                       bool entering) const {
     const double t = stretch.t(s);
-    double value = 0;
-    const Vec3 gradient = gauge_.gradient(stretch.at(s), value);
-    const double slope = std::fabs(dot(gradient, stretch.step)) / stretch.length;
+    const double slope = std::fabs(slope_by_s) / stretch.length;
     const double misplaced = shift_error(ray, stretch.begin) * length(ray.direction);
     const double residual = 16 * kRounding + 4 * misplaced;
     double error = stretch.length;

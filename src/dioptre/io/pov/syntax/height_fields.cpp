@@ -67,9 +67,8 @@ HeightGrid parse_function_heights(Parser& parser) {
 /// Whether all values are those of bytes, and not of 16 bits.
 bool from_bytes(const ImageData& image) {
   constexpr float kRounding = 1e-4f;
-  return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) {
-    return std::fabs(std::round(v * 255) - v * 255) <= kRounding;
-  });
+  return std::all_of(image.pixels.begin(), image.pixels.end(),
+                     [](float v) { return std::fabs(std::round(v * 255) - v * 255) <= kRounding; });
 }
 
 float grey_of(float red, float green, float blue) {
