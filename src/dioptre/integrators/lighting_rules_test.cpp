@@ -94,6 +94,28 @@ TEST(InteriorFading, LeavesTheSurfaceItselfAndWhatIsInsideAlone) {
   EXPECT_NEAR(lit.render().g, 1, 1e-5);
 }
 
+TEST(Media, EachUseOfAnInteriorIsAMediumOfItsOwn) {
+  // Seen along z through a slab of glass with a ball in it; where the ball bends the ray, it shows
+  // another place of the wall behind.
+  const auto seen = [](double ior, bool shared) {
+    LitScene lit;
+    lit.scene.camera.location = {0.15, 0, -4};
+    lit.scene.camera.right = 1e-3 * Vec3{1, 0, 0};
+    lit.add(Box{{0.1, -1, 3}, {0.2, 1, 4}}, {{1, 1, 1}}, finish_of(1, 0));
+    const Finish clear = finish_of(0, 0);
+    const InteriorId glass = append(lit.scene.interiors, Interior{1.5, true});
+    lit.add(Box{{-1, -1, -0.5}, {1, 1, 0.5}}, {{1, 1, 1}, 1, 0}, clear).interior = glass;
+    Object& ball = lit.add(Sphere{{0, 0, 0}, 0.3}, {{1, 1, 1}, 1, 0}, clear);
+    if (ior > 0) ball.interior = append(lit.scene.interiors, Interior{ior, true});
+    if (shared) ball.interior = glass;
+    return lit.render().g;
+  };
+  EXPECT_EQ(seen(1.5, false), 1);  // glass in glass bends nothing,
+  EXPECT_EQ(seen(1.5, true), 1);   // though it be the same
+  EXPECT_EQ(seen(1, false), 0);
+  EXPECT_EQ(seen(0, false), 0);  // what has no interior is air
+}
+
 TEST(InteriorFading, CountsFromTheSurfaceMetLast) {
   const auto through = [](ShapeData other, const Interior& interior) {
     LitScene lit;

@@ -15,12 +15,14 @@ namespace dioptre {
 /// scene language. Beyond 31 solids the rest are not remembered.
 class MediaStack {
  public:
-  /// One solid: the number of its interior, or its own address if it has none.
+  /// One solid: the number of its medium and that of its interior, or its own address if it has
+  /// none.
   class Entry {
    public:
     Entry() = default;  // left empty: stacks are made and copied for every ray
-    Entry(InteriorId interior, const Item* item)
-        : key_(interior ? kInterior | interior.index : reinterpret_cast<std::uintptr_t>(item)) {}
+    Entry(const Part& part, const Item* item)
+        : key_(part.interior ? kInterior | std::uint64_t{part.medium} << 32 | part.interior.index
+                             : reinterpret_cast<std::uintptr_t>(item)) {}
     InteriorId interior() const {
       return key_ & kInterior ? InteriorId{static_cast<std::uint32_t>(key_)} : InteriorId{};
     }
@@ -41,8 +43,8 @@ class MediaStack {
     return *this;
   }
 
-  /// The entry for a surface: solids that share an interior are one.
-  static Entry entry(InteriorId interior, const Item* item) { return {interior, item}; }
+  /// The entry for a surface: parts of a whole that share the interior of the whole are one.
+  static Entry entry(const Part& part, const Item* item) { return {part, item}; }
 
   bool contains(Entry e) const {
     for (std::uint32_t i = 0; i < size_; ++i) {
@@ -65,13 +67,8 @@ class MediaStack {
       return;
     }
   }
-  /// The innermost interior; none in the open.
-  InteriorId top() const {
-    for (std::uint32_t i = size_; i-- > 0;) {
-      if (const InteriorId interior = entries_[i].interior()) return interior;
-    }
-    return {};
-  }
+  /// The interior entered last; none in the open, and in a solid without one.
+  InteriorId top() const { return size_ > 0 ? entries_[size_ - 1].interior() : InteriorId{}; }
   /// True if every solid around lets the atmosphere in.
   bool in_atmosphere() const { return static_cast<std::uint32_t>(std::popcount(hollow_)) == size_; }
   const Entry* begin() const { return entries_.data(); }

@@ -45,8 +45,9 @@ Color ShadowMedia::transmittance(const Ray& ray, Interval range, std::span<const
   };
   for (const Hit& hit : hits) {
     pass_fog(hit.crossing.t);
-    const InteriorId interior = scene_.part(hit).interior;
-    const MediaStack::Entry entry = MediaStack::entry(interior, hit.item);
+    const Part& part = scene_.part(hit);
+    const InteriorId interior = part.interior;
+    const MediaStack::Entry entry = MediaStack::entry(part, hit.item);
     if (media.contains(entry)) {
       media.leave(entry);
       if (interior && fades(at(scene_.scene().interiors, interior))) {

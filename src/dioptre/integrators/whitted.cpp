@@ -45,17 +45,17 @@ bool lights(const Light& light, const Part& part) {
 /// What an interior leaves of the light that comes through its surface from behind, for a ray that
 /// was inside for `distance` since the surface it met last. What the surface itself shines or
 /// mirrors is not dimmed, nor is anything opaque inside (measured).
-Color fading(const Scene& scene, InteriorId interior, const MediaStack& media, double distance) {
-  if (!interior || !media.contains(MediaStack::entry(interior, nullptr))) return {1, 1, 1};
-  return attenuation(at(scene.interiors, interior), distance);
+Color fading(const Scene& scene, const Part& part, const MediaStack& media, double distance) {
+  if (!part.interior || !media.contains(MediaStack::entry(part, nullptr))) return {1, 1, 1};
+  return attenuation(at(scene.interiors, part.interior), distance);
 }
 
 /// The index of refraction behind a surface over the one before it, for a ray inside `media`; 0 for
 /// a surface without an interior.
-double ior_behind(const Scene& scene, InteriorId interior, const MediaStack& media) {
-  if (!interior || !at(scene.interiors, interior).has_ior) return 0;
+double ior_behind(const Scene& scene, const Part& part, const MediaStack& media) {
+  if (!part.interior || !at(scene.interiors, part.interior).has_ior) return 0;
   MediaStack beyond = media;
-  const MediaStack::Entry entry = MediaStack::entry(interior, nullptr);
+  const MediaStack::Entry entry = MediaStack::entry(part, nullptr);
   if (beyond.contains(entry)) {
     beyond.leave(entry);
   } else {
@@ -80,9 +80,9 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
       reflections_(options.quality >= 8) {
   const Vec3 eye = scene.scene().camera.location;
   for (const Item& item : scene.items()) {
-    const InteriorId interior = scene.interior_of(item);
-    if ((interior || !item.hollow) && item.shape->contains(eye)) {
-      camera_media_.enter(MediaStack::entry(interior, &item), item.hollow);
+    const Part& part = scene.first_part(item);
+    if ((part.interior || !item.hollow) && item.shape->contains(eye)) {
+      camera_media_.enter(MediaStack::entry(part, &item), item.hollow);
     }
   }
 }
@@ -136,7 +136,7 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
     at.surface.shading_normal = facing(at.surface.shading_normal, path.ray.direction);
     scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
 
-    const Color faded = fading(scene_.scene(), at.part->interior, path.media, distance);
+    const Color faded = fading(scene_.scene(), *at.part, path.media, distance);
     const Path before = path;
     bool goes_on = false;
     Color next_through;
@@ -178,7 +178,7 @@ Color Whitted::left_by_mirrors(const SurfaceInteraction& at, const TextureSample
     const SurfaceLayer& layer = sample.layers[stack.first + i];
     if (!layer.finish->conserve_energy) continue;
     left *= Color{1, 1, 1} - reflectance(layer, path.ray.direction,
-                                         ior_behind(scene_.scene(), at.part->interior, path.media));
+                                         ior_behind(scene_.scene(), *at.part, path.media));
   }
   return left;
 }
@@ -201,8 +201,8 @@ Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& s
     radiance += light_from(light, at, stack, path, scratch);
   }
   for (std::uint32_t i = 0; i < stack.count && mirrors && reflections_; ++i) {
-    const Color share = reflectance(layer(i), path.ray.direction,
-                                    ior_behind(scene_.scene(), at.part->interior, path.media));
+    const Color share =
+        reflectance(layer(i), path.ray.direction, ior_behind(scene_.scene(), *at.part, path.media));
     if (is_black(share)) continue;
     radiance += share * mirrored(at, layer(i).normal, share * stack.weight, path, scratch);
   }
@@ -251,7 +251,7 @@ Color Whitted::mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, 
 /// (measured); the weight is still that of what is filtered.
 Whitted::Passage Whitted::pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal,
                                Path& path) const {
-  const MediaStack::Entry entry = MediaStack::entry(at.part->interior, hit.item);
+  const MediaStack::Entry entry = MediaStack::entry(*at.part, hit.item);
   const double before = ior_of(scene_.scene(), path.media.top());
   MediaStack beyond = path.media;
   if (beyond.contains(entry)) {

@@ -52,7 +52,7 @@ class Compiler {
   Result<void> add(ObjectId id, const Inherited& from) {
     const Object& object = at(scene_.objects, id);
     if (splits(object)) {
-      const Inherited own = inherit(from, object);
+      const Inherited own = shapes_.inherit(from, object);
       for (const ObjectId child : std::get<Csg>(object.geometry).children) {
         if (auto added = add(child, own); !added) return added;
       }
@@ -60,7 +60,7 @@ class Compiler {
     }
     auto solid = build_solid(scene_, shapes_, id, from);
     if (!solid) return tl::unexpected(solid.error());
-    const Inherited own = inherit(from, object);
+    const Inherited own = shapes_.inherit(from, object);
     Item item;
     item.shape = std::move(solid->shape);
     item.first_part = static_cast<std::uint32_t>(out_.parts_.size());

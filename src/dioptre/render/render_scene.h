@@ -20,6 +20,7 @@ struct Part {
   TextureId texture;            ///< never none
   TextureId interior_texture;   ///< seen from inside; never none
   InteriorId interior;          ///< may be none
+  std::uint32_t medium = 0;     ///< a number for each use of an interior; 0 without one
   std::uint32_t placement = 0;  ///< of the texture, index into RenderScene's placements
   bool uv_mapping = false;
   bool double_illuminate = false;
@@ -107,8 +108,8 @@ class RenderScene {
   /// What the light of this number in the scene is projected through; null for most lights.
   const Shape* window(std::size_t light) const { return windows_[light].get(); }
 
-  /// The interior of an item as a whole: that of its first part. May be none.
-  InteriorId interior_of(const Item& item) const { return parts_[item.first_part].interior; }
+  /// The first part of an item, which speaks for what fills it.
+  const Part& first_part(const Item& item) const { return parts_[item.first_part]; }
 
  private:
   friend class Compiler;

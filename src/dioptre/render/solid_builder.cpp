@@ -12,7 +12,7 @@ class SolidBuilder {
   /// Adds the object and returns its entry (see csg::Node::children).
   Result<std::int32_t> add(ObjectId id, const Inherited& from, bool complement) {
     const Object& object = at(scene_.objects, id);
-    const Inherited own = inherit(from, object);
+    const Inherited own = shapes_.inherit(from, object);
     const bool inverted = complement != object.inverse;
     auto entry = std::holds_alternative<Csg>(object.geometry)
                      ? add_csg(std::get<Csg>(object.geometry), own, inverted)
@@ -36,6 +36,7 @@ class SolidBuilder {
                      .texture = own.texture,
                      .interior_texture = own.interior_texture,
                      .interior = own.interior,
+                     .medium = own.medium,
                      .uv_mapping = own.uv_mapping,
                      .double_illuminate = own.double_illuminate,
                      .light_group = own.light_group,
@@ -95,7 +96,7 @@ class SolidBuilder {
 
 }  // namespace
 
-Inherited inherit(const Inherited& from, const Object& object) {
+Inherited PreparedShapes::inherit(const Inherited& from, const Object& object) {
   Inherited own = from;
   own.to_world = then(object.transform, from.to_world);
   if (object.texture) {
@@ -103,7 +104,10 @@ Inherited inherit(const Inherited& from, const Object& object) {
     own.texture_to_world = then(object.texture_transform, from.to_world);
   }
   if (object.interior_texture) own.interior_texture = object.interior_texture;
-  if (object.interior) own.interior = object.interior;
+  if (object.interior) {
+    own.interior = object.interior;
+    own.medium = ++media_;
+  }
   if (object.has_hollow) own.hollow = object.hollow;
   own.no_shadow = from.no_shadow || object.no_shadow;
   own.no_image = from.no_image || object.no_image;

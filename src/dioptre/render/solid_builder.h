@@ -16,6 +16,7 @@ struct Inherited {
   TextureId texture, interior_texture;
   Affine texture_to_world;
   InteriorId interior;
+  std::uint32_t medium = 0;
   bool hollow = false;
   bool no_shadow = false;
   bool no_image = false;
@@ -26,15 +27,15 @@ struct Inherited {
   bool global_lights = true;
 };
 
-/// The same, one level further down: for the parts of `object`.
-Inherited inherit(const Inherited& from, const Object& object);
-
 /// Prepares the primitives of a scene, each once, however often it is used.
 class PreparedShapes {
  public:
   explicit PreparedShapes(const Scene& scene) : scene_(scene) {}
   /// The primitive of an object whose geometry is a ShapeData.
   Result<const Shape*> shape(ObjectId id);
+  /// What `object` hands down in its turn. An interior of its own is a medium of its own, even if
+  /// another object has the same one (measured).
+  Inherited inherit(const Inherited& from, const Object& object);
   /// Moves all shapes out, for a RenderScene to keep.
   std::vector<ShapePtr> take() { return std::move(shapes_); }
 
@@ -42,6 +43,7 @@ class PreparedShapes {
   const Scene& scene_;
   std::vector<ShapePtr> shapes_;
   std::vector<const Shape*> by_object_;
+  std::uint32_t media_ = 0;
 };
 
 /// One solid with the look of its parts, in the order of Crossing::leaf.
