@@ -5,35 +5,14 @@
 
 #include "dioptre/io/image/read_image.h"
 #include "dioptre/io/pov/syntax/grammar.h"
+#include "dioptre/io/pov/syntax/patterns.h"
 
 namespace dioptre::pov {
 namespace {
 
 constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPoints = 1 << 24;
-constexpr std::uint64_t kBytesPerPixel = 32;  ///< while an image is decoded, at most
-constexpr float kStep = 0x1p-16f;             ///< heights are whole numbers of these, under 65536
-
-/// The format's keyword; formats are known by their content.
-void skip_format(Parser& parser) {
-  switch (keyword_at(parser)) {
-    case Keyword::kGif:
-    case Keyword::kTga:
-    case Keyword::kPng:
-    case Keyword::kJpeg:
-    case Keyword::kTiff:
-    case Keyword::kPgm:
-    case Keyword::kPpm:
-    case Keyword::kSys:
-    case Keyword::kHdr:
-    case Keyword::kExr:
-    case Keyword::kPot:
-      parser.next();
-      break;
-    default:
-      break;
-  }
-}
+constexpr float kStep = 0x1p-16f;  ///< heights are whole numbers of these, under 65536
 
 /// The whole number of steps below a value from 0 to 1; not a number counts as 0.
 float steps(double value) {
@@ -144,7 +123,8 @@ void parse_modifiers(Parser& parser, Modifiers& modifiers) {
 HeightGrid read_heights(Parser& parser, const std::string& path, SourcePosition where,
                         ReadImageOptions options) {
   options.language_version = parser.version();
-  options.max_pixels = std::min(options.max_pixels, parser.budgets().memory_bytes / kBytesPerPixel);
+  options.max_pixels =
+      std::min(options.max_pixels, parser.budgets().memory_bytes / kDecodedPixelBytes);
   options.palette_scale = 256 / 65535.0f;
   Result<ImageData> image = read_image(path, options);
   if (!image) parser.fail_at(where, image.error().message);
@@ -165,7 +145,7 @@ void parse_height_field(Parser& parser, Item& item) {
     field.grid = parse_function_heights(parser);
     parse_modifiers(parser, modifiers);
   } else {
-    skip_format(parser);
+    skip_image_format(parser);
     const SourcePosition where = parser.position();
     const std::string path = parser.find_file(parser.parse_file_name());
     modifiers.image.gamma = 1;

@@ -11,28 +11,6 @@ namespace {
 constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPixels = 1 << 24;
 constexpr std::size_t kRememberedImages = 64;
-constexpr std::uint64_t kBytesPerPixel = 32;  ///< while an image is decoded, at most
-
-/// The format's keyword; formats are known by their content.
-void skip_format(Parser& parser) {
-  switch (keyword_at(parser)) {
-    case Keyword::kGif:
-    case Keyword::kTga:
-    case Keyword::kPng:
-    case Keyword::kJpeg:
-    case Keyword::kTiff:
-    case Keyword::kPgm:
-    case Keyword::kPpm:
-    case Keyword::kSys:
-    case Keyword::kHdr:
-    case Keyword::kExr:
-    case Keyword::kPot:
-      parser.next();
-      break;
-    default:
-      break;
-  }
-}
 
 /// Pixels from a function of the unit square, `function WIDTH, HEIGHT {...}`, the keyword taken.
 Shared<ImageData> parse_function_image(Parser& parser) {
@@ -179,14 +157,35 @@ void read_as(ImageUse use, bool use_color, ReadImageOptions& options) {
 
 }  // namespace
 
+void skip_image_format(Parser& parser) {
+  switch (keyword_at(parser)) {
+    case Keyword::kGif:
+    case Keyword::kTga:
+    case Keyword::kPng:
+    case Keyword::kJpeg:
+    case Keyword::kTiff:
+    case Keyword::kPgm:
+    case Keyword::kPpm:
+    case Keyword::kSys:
+    case Keyword::kHdr:
+    case Keyword::kExr:
+    case Keyword::kPot:
+      parser.next();
+      break;
+    default:
+      break;
+  }
+}
+
 ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& other) {
   const Parser::Nesting nesting(parser);
   parser.expect('{', "to begin the image");
   ImageSource image;
   ReadImageOptions options;
   options.language_version = parser.version();
-  options.max_pixels = std::min(options.max_pixels, parser.budgets().memory_bytes / kBytesPerPixel);
-  skip_format(parser);
+  options.max_pixels =
+      std::min(options.max_pixels, parser.budgets().memory_bytes / kDecodedPixelBytes);
+  skip_image_format(parser);
   const SourcePosition where = parser.position();
   const bool made = parser.accept(Keyword::kFunction);
   if (made) {

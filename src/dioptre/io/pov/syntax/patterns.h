@@ -24,6 +24,10 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern);
 bool parse_warp_modifier(Parser& parser, std::vector<Warp>& warps);
 /// Appends a transformation to what is written so far.
 void add_transform(std::vector<Warp>& warps, const Affine& by);
+/// What a pixel takes while an image is decoded, at most.
+inline constexpr std::uint64_t kDecodedPixelBytes = 32;
+/// Takes the keyword of an image's format, if one is next; formats are known by their content.
+void skip_image_format(Parser& parser);
 /// What the pixels of an image stand for.
 enum class ImageUse : std::uint8_t { kColor, kPattern, kBumps, kNumbers };
 /// Reads `image_map { ... }` and its relatives, behind the keyword.
