@@ -57,14 +57,16 @@ Result<void> write_file(const std::string& path, std::string_view bytes) {
   std::error_code ignored;
   const std::filesystem::path target =
       exists ? std::filesystem::canonical(path, ignored) : std::filesystem::path(path);
-  std::string temporary = (target.empty() ? path : target.string()) + ".XXXXXX";
+  // mkstemp puts its own letters in the place of the last six.
+  const std::string ending = "." + std::string(6, 'X');
+  std::string temporary = (target.empty() ? path : target.string()) + ending;
   const int file = ::mkstemp(temporary.data());
   if (file < 0) return cannot_write(path, errno);
   const mode_t mode = exists ? (old.st_mode & 07777) : new_file_mode();
   const bool good = write_all(file, bytes) && ::fchmod(file, mode) == 0 && ::fsync(file) == 0;
   int reason = errno;
   const bool closed = ::close(file) == 0;
-  const std::string final_path = temporary.substr(0, temporary.size() - 7);
+  const std::string final_path = temporary.substr(0, temporary.size() - ending.size());
   if (!good || !closed || std::rename(temporary.c_str(), final_path.c_str()) != 0) {
     if (good) reason = errno;
     ::unlink(temporary.c_str());
