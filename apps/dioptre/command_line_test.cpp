@@ -107,7 +107,7 @@ TEST(CommandLine, EveryKeyIsFoundInAnyCase) {
 TEST(CommandLine, TheLastOneWinsAndLibraryPathsAccumulate) {
   const AppSettings settings = parse({"+W10", "Width=20", "+W30", "+La", "Library_Path=b"});
   EXPECT_EQ(settings.width, 30u);
-  EXPECT_EQ(settings.library_paths, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(settings.search_folders, (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(CommandLine, AnUnknownOptionNamesTheNearest) {

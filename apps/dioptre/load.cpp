@@ -30,10 +30,10 @@ constexpr std::uint64_t kMostJsonBytes = std::uint64_t{1} << 32;
 
 LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   LoadOptions options;
-  options.library_paths = s.library_paths;
+  options.search_folders = s.search_folders;
   for (const char* folder : kIncludeFolders) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(folder, ignored)) options.library_paths.push_back(folder);
+    if (std::filesystem::is_directory(folder, ignored)) options.search_folders.push_back(folder);
   }
   options.include_header = s.include_header;
   options.version = s.version;

@@ -66,7 +66,7 @@ Result<void> refuse_command(AppSettings&, Value) {
 
 Result<void> library_path(AppSettings& settings, Value path) {
   if (path.empty()) return fail("expected a folder");
-  settings.library_paths.push_back(path);
+  settings.search_folders.push_back(path);
   return {};
 }
 

@@ -15,7 +15,7 @@ namespace dioptre::app {
 struct AppSettings {
   std::string input;
   std::string include_header;
-  std::vector<std::string> library_paths;
+  std::vector<std::string> search_folders;
   std::map<std::string, double> declares;
   double version = 0;  ///< of the scene language; 0: the scene says
 

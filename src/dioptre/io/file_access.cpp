@@ -75,7 +75,7 @@ void add(std::vector<std::string>& folders, const std::string& folder) {
 FileAccess::FileAccess(Options options) : options_(std::move(options)), current_(resolved(".")) {
   add(search_, options_.scene_folder);
   add(search_, ".");
-  for (const std::string& path : options_.library_paths) {
+  for (const std::string& path : options_.search_folders) {
     add(search_, path);
     add(library_, path);
   }

@@ -16,7 +16,7 @@ class FileAccess {
  public:
   struct Options {
     std::string scene_folder;  ///< searched first; all below it may be read and written
-    std::vector<std::string> library_paths;  ///< searched next; all below may be read
+    std::vector<std::string> search_folders;  ///< searched next; all below may be read
     std::vector<std::string> readable_paths, writable_paths;
     std::string scene_file;  ///< never written
   };

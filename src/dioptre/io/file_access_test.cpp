@@ -26,7 +26,7 @@ class FileAccessTest : public ::testing::Test {
     fs::create_symlink(root_ / "secret/d.inc", root_ / "scene/link.inc");
     options_.scene_folder = root_ / "scene";
     options_.scene_file = root_ / "scene/a.pov";
-    options_.library_paths = {root_ / "library"};
+    options_.search_folders = {root_ / "library"};
   }
   void TearDown() override { fs::remove_all(root_); }
 

@@ -40,7 +40,7 @@ bool run_with_stack_for(std::uint32_t levels, std::function<void()> work) {
 FileAccess::Options access_options(const std::string& name, const LoadOptions& options) {
   FileAccess::Options access;
   access.scene_folder = std::filesystem::path(name).parent_path().string();
-  access.library_paths = options.library_paths;
+  access.search_folders = options.search_folders;
   access.readable_paths = options.readable_paths;
   access.writable_paths = options.writable_paths;
   if (name != "-") access.scene_file = name;

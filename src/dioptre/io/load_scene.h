@@ -31,7 +31,7 @@ struct LoadBudgets {
 
 /// What the surroundings give to a scene.
 struct LoadOptions {
-  std::vector<std::string> library_paths;  ///< searched after the scene's own folder
+  std::vector<std::string> search_folders;  ///< searched after the scene's own folder
   std::string include_header;              ///< a file that is read before the scene; empty: none
   double version = 0;  ///< of the language, until the scene says another; 0: it must say
   std::uint32_t image_width = 320, image_height = 240;

@@ -14,7 +14,7 @@ std::vector<double> heights_of(const std::string& name, const std::string& bytes
   Diagnostics diagnostics;
   NoQueries queries;
   LoadOptions options;
-  options.library_paths.push_back(testing::TempDir());
+  options.search_folders.push_back(testing::TempDir());
   const auto loaded = load_pov_text("t.pov", "#version 3.7; height_field { \"" + name + "\" }",
                                     options, queries, diagnostics);
   std::vector<double> heights;
