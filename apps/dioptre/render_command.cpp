@@ -44,6 +44,8 @@ PixelRegion region(const AppSettings& s) {
           end(s.end_row, s.height)};
 }
 
+CompileOptions compile_options(const AppSettings& s) { return {.accelerator = s.accelerator}; }
+
 RenderOptions render_options(const AppSettings& s) {
   RenderOptions options;
   options.width = s.width;
@@ -56,7 +58,6 @@ RenderOptions render_options(const AppSettings& s) {
   options.antialias.jitter = s.jitter ? s.jitter_amount : 0;
   options.integrator_options.quality = s.quality;
   options.integrator = s.integrator;
-  options.accelerator = s.accelerator;
   options.threads = s.threads;
   return options;
 }
@@ -74,7 +75,8 @@ int render_frame(const AppSettings& settings, std::int64_t frame) {
   RenderContext context;
   context.cancel = &stop_asked;
   context.progress = [&](const RenderProgress& p) { line.update(p.done, p.rays.total()); };
-  const auto result = render_image(loaded->scene, render_options(settings), context);
+  const auto result =
+      render_image(loaded->scene, compile_options(settings), render_options(settings), context);
   if (!result) return report_render_failure(*loaded, result.error().message);
   if (result->cancelled) return report_stop();
   line.finish(result->rays.total());

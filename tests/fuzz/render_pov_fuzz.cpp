@@ -21,7 +21,7 @@ void render(Scene scene) {
   options.width = 5;
   options.height = 4;
   options.threads = 1;
-  (void)render_image(scene, options, {});
+  (void)render_image(scene, {}, options, {});
 }
 
 }  // namespace

@@ -72,8 +72,7 @@ DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& opti
 /// A light that is projected through an object shines only where that is in between, and only what
 /// is on this side of it throws shadows (measured).
 Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
-                         const SurfaceInteraction& at, const Item*& blocker,
-                         RayCounts& counts) const {
+                         const SurfaceInteraction& at, const Item*& blocker, RayLog& log) const {
   const Light& light = lights_[number].light();
   const Ray ray = spawn_ray(at, to_light);
   if (light.projected_through) {
@@ -83,8 +82,16 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
   }
   distance -= kShadowGap;
   if (distance <= kShadowGap || light.shadowless) return {1, 1, 1};
-  ++counts.shadow;
+  ++log.counts.shadow;
   const Interval range{kShadowGap, distance};
+  const Color visible = through(light, ray, range, blocker);
+  if (log.observer) log.observer->shadow({number, ray, range, blocker, visible});
+  return visible;
+}
+
+/// What all surfaces and media in the range leave of the light.
+Color DirectLight::through(const Light& light, const Ray& ray, Interval range,
+                           const Item*& blocker) const {
   thread_local std::vector<Hit> hits;
   if (!scene_.shadow_hits(ray, range, hits, blocker)) return {};
   Color through{1, 1, 1};
@@ -98,24 +105,24 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
 }
 
 Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
-                            const Item*& blocker, RayCounts& counts) const {
+                            const Item*& blocker, RayLog& log) const {
   const Vec3 to_light = light_position - at.surface.position;
   const double distance = length(to_light);
-  return along(number, to_light / distance, distance, at, blocker, counts);
+  return along(number, to_light / distance, distance, at, blocker, log);
 }
 
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
-                              const SurfaceInteraction& at, RayCounts& counts) const {
+                              const SurfaceInteraction& at, RayLog& log) const {
   const Light& light = source.light();
   if ((light.shadowless && !light.projected_through) || !shadows_) return {1, 1, 1};
   const auto number = static_cast<std::size_t>(&source - lights_.data());
   // What hides one sample of an area light is likely to hide the next one too.
   const Item* blocker = nullptr;
   if (!light.is_area) {
-    return along(number, illumination.to_light, illumination.distance, at, blocker, counts);
+    return along(number, illumination.to_light, illumination.distance, at, blocker, log);
   }
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
-    return to_point(number, source.sample(i, j, at.surface.position), at, blocker, counts);
+    return to_point(number, source.sample(i, j, at.surface.position), at, blocker, log);
   };
   return GridMean(light.area, sample).mean();
 }

@@ -20,13 +20,14 @@ class DirectLight {
   /// The share of a light that reaches a surface point past everything in between; for an area
   /// light the mean over its samples.
   Color visibility(const LightSource& light, const Illumination& illumination,
-                   const SurfaceInteraction& at, RayCounts& counts) const;
+                   const SurfaceInteraction& at, RayLog& log) const;
 
  private:
+  Color through(const Light& light, const Ray& ray, Interval range, const Item*& blocker) const;
   Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
-                 const Item*& blocker, RayCounts& counts) const;
+                 const Item*& blocker, RayLog& log) const;
   Color along(std::size_t number, Vec3 to_light, double distance, const SurfaceInteraction& at,
-              const Item*& blocker, RayCounts& counts) const;
+              const Item*& blocker, RayLog& log) const;
 
   const RenderScene& scene_;
   std::vector<LightSource> lights_;

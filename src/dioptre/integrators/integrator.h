@@ -9,6 +9,7 @@
 #include "dioptre/core/color.h"
 #include "dioptre/core/ray.h"
 #include "dioptre/core/result.h"
+#include "dioptre/integrators/ray_observer.h"
 #include "dioptre/render/render_scene.h"
 
 namespace dioptre {
@@ -21,19 +22,26 @@ struct Radiance {
 
 /// How many rays of each kind were traced.
 struct RayCounts {
-  std::uint64_t camera = 0, secondary = 0, shadow = 0;
-  std::uint64_t total() const { return camera + secondary + shadow; }
+  std::uint64_t camera = 0, reflected = 0, transmitted = 0, shadow = 0;
+  std::uint64_t total() const { return camera + reflected + transmitted + shadow; }
   RayCounts& operator+=(const RayCounts& b) {
-    camera += b.camera, secondary += b.secondary, shadow += b.shadow;
+    camera += b.camera, reflected += b.reflected;
+    transmitted += b.transmitted, shadow += b.shadow;
     return *this;
   }
+};
+
+/// What is noted down while rays are traced.
+struct RayLog {
+  RayCounts counts;
+  RayObserver* observer = nullptr;  ///< may be none; changes nothing in the picture
 };
 
 /// Computes the light that comes along a ray from the eye. Immutable; used by all threads at once.
 class RayIntegrator {
  public:
   virtual ~RayIntegrator() = default;
-  virtual Radiance radiance(const Ray& camera_ray, RayCounts& counts) const = 0;
+  virtual Radiance radiance(const Ray& camera_ray, RayLog& log) const = 0;
 };
 
 /// Which parts of the light transport are computed.

@@ -61,7 +61,7 @@ class LitScene {
     add_light({0, 0, -100});
   }
   Color render(std::uint32_t width = 1, std::uint32_t column = 0) const {
-    const auto result = render_image(scene, {.width = width, .height = 1}, {});
+    const auto result = render_image(scene, {}, {.width = width, .height = 1}, {});
     EXPECT_TRUE(result) << (result ? "" : result.error().message);
     return result ? result->image.at(column, 0) : Color{};
   }
@@ -319,7 +319,7 @@ TEST(CameraNormal, BendsTheRaysAsIfTheyWereNormalsOnTheImage) {
   Pattern ramp{.data = Gradient{{1, 0, 0}}};
   lit.scene.camera.normal = append(lit.scene.normals, Normal{PatternNormal{ramp, {}, 0.5}});
   const std::uint32_t width = 401;
-  const auto result = render_image(lit.scene, {.width = width, .height = 1}, {});
+  const auto result = render_image(lit.scene, {}, {.width = width, .height = 1}, {});
   ASSERT_TRUE(result);
   std::uint32_t edge = width;
   while (edge > 0 && !(result->image.at(edge - 1, 0).g > 0)) --edge;

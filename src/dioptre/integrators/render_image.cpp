@@ -5,8 +5,7 @@
 #include <mutex>
 
 #include "dioptre/core/parallel.h"
-#include "dioptre/film/camera_rays.h"
-#include "dioptre/film/lens_samples.h"
+#include "dioptre/integrators/eye_rays.h"
 
 namespace dioptre {
 namespace {
@@ -24,12 +23,10 @@ PixelRegion cut(PixelRegion region, std::uint32_t width, std::uint32_t height) {
 /// when it is computed.
 class Render {
  public:
-  Render(const RayIntegrator& integrator, const CameraRays& camera, const RenderScene& scene,
-         const RenderOptions& options, const RenderContext& context, RenderResult& result)
+  Render(const RayIntegrator& integrator, const EyeRays& eye, const RenderOptions& options,
+         const RenderContext& context, RenderResult& result)
       : integrator_(integrator),
-        camera_(camera),
-        scene_(scene),
-        lens_(scene.scene().camera),
+        eye_(eye),
         options_(options),
         context_(context),
         region_(cut(options.region, options.width, options.height)),
@@ -41,54 +38,44 @@ class Render {
   void run() {
     const bool two_passes = options_.antialias.method == 1;
     const double share = two_passes ? 0.5 : 1;
-    pass(0, share, [&](std::uint32_t x, std::uint32_t y, RayCounts& counts) {
-      store(x, y, first_value(x, y, counts));
+    pass(0, share, [&](std::uint32_t x, std::uint32_t y, RayLog& log) {
+      store(x, y, first_value(x, y, log));
     });
     if (two_passes && !stopped()) refine();
     result_.cancelled = stopped();
   }
 
  private:
-  FilmSample sample(double x, double y, Vec2 lens, RayCounts& counts) const {
-    auto ray = camera_.ray(x, y, options_.width, options_.height, lens);
+  FilmSample sample(double x, double y, Vec2 lens, RayLog& log) const {
+    const auto ray = eye_.ray(x, y, lens);
     if (!ray) return {{}, 0};
-    if (const NormalId bumps = scene_.scene().camera.normal) {
-      ray->direction = scene_.textures().perturb(bumps, place_on_image(x, y), ray->direction);
-    }
-    const Radiance radiance = integrator_.radiance(*ray, counts);
+    const Radiance radiance = integrator_.radiance(*ray, log);
     return {radiance.color, radiance.alpha};
   }
 
-  /// Where the bumps of the camera are looked up: heights and widths from the centre of the image,
-  /// x to the right and y upwards (measured).
-  Vec3 place_on_image(double x, double y) const {
-    return {x / options_.width - 0.5, 0.5 - y / options_.height, 0};
-  }
-
   /// The value at a place of the image: one ray, or what the whole lens sees around it.
-  FilmSample value(double x, double y, double spread, RayCounts& counts) const {
-    if (!camera_.has_lens()) return sample(x, y, {0.5, 0.5}, counts);
-    return lens_.mean(x, y, spread, [&](double px, double py, Vec2 lens) {
-      return sample(px, py, lens, counts);
-    });
+  FilmSample value(double x, double y, double spread, RayLog& log) const {
+    if (!eye_.lens()) return sample(x, y, {0.5, 0.5}, log);
+    return eye_.lens()->mean(
+        x, y, spread, [&](double px, double py, Vec2 lens) { return sample(px, py, lens, log); });
   }
 
-  FilmSample first_value(std::uint32_t x, std::uint32_t y, RayCounts& counts) const {
-    const auto at = [&](double px, double py) { return value(px, py, 0, counts); };
+  FilmSample first_value(std::uint32_t x, std::uint32_t y, RayLog& log) const {
+    const auto at = [&](double px, double py) { return value(px, py, 0, log); };
     if (options_.antialias.method == 2) return CornerRefiner(options_.antialias, at).pixel(x, y);
-    return value(x + 0.5, y + 0.5, 1, counts);
+    return value(x + 0.5, y + 0.5, 1, log);
   }
 
   /// The second pass of antialiasing: where neighbours differ. It reads the first pass only.
   void refine() {
     const auto marked = pixels_to_refine(result_.image, options_.antialias, region_.first_column,
                                          region_.first_row, region_.end_column, region_.end_row);
-    pass(0.5, 0.5, [&](std::uint32_t x, std::uint32_t y, RayCounts& counts) {
+    pass(0.5, 0.5, [&](std::uint32_t x, std::uint32_t y, RayLog& log) {
       const std::size_t index = std::size_t{y} * options_.width + x;
       if (!marked[index]) return;
       const FilmSample centre{result_.image.pixels[index], result_.image.alpha[index]};
       const double spread = 1.0 / std::max(1u, options_.antialias.depth);
-      const auto at = [&](double px, double py) { return value(px, py, spread, counts); };
+      const auto at = [&](double px, double py) { return value(px, py, spread, log); };
       store(x, y, refine_on_grid(x, y, centre, options_.antialias, at));
     });
   }
@@ -99,7 +86,7 @@ class Render {
     result_.image.alpha[index] = value.alpha;
   }
 
-  /// Calls pixel(x, y, counts) for every pixel of the region, tile by tile.
+  /// Calls pixel(x, y, log) for every pixel of the region, tile by tile.
   template <class Pixel>
   void pass(double done_before, double share, Pixel pixel) {
     const std::uint32_t columns = region_.end_column - region_.first_column;
@@ -108,17 +95,17 @@ class Render {
     const std::uint32_t tiles = across * ((rows + kTile - 1) / kTile);
     std::uint32_t finished = 0;
     parallel_for(tiles, options_.threads, context_.cancel, [&](std::uint32_t tile) {
-      RayCounts counts;
+      RayLog log;
       const std::uint32_t x0 = region_.first_column + tile % across * kTile;
       const std::uint32_t y0 = region_.first_row + tile / across * kTile;
       for (std::uint32_t y = y0; y < std::min(y0 + kTile, region_.end_row); ++y) {
         for (std::uint32_t x = x0; x < std::min(x0 + kTile, region_.end_column); ++x) {
-          pixel(x, y, counts);
+          pixel(x, y, log);
         }
         if (stopped()) break;
       }
       const std::lock_guard lock(mutex_);
-      result_.rays += counts;
+      result_.rays += log.counts;
       ++finished;
       if (context_.progress) {
         context_.progress({done_before + share * finished / tiles, result_.rays});
@@ -131,9 +118,7 @@ class Render {
   }
 
   const RayIntegrator& integrator_;
-  const CameraRays& camera_;
-  const RenderScene& scene_;
-  LensSamples lens_;
+  const EyeRays& eye_;
   const RenderOptions& options_;
   const RenderContext& context_;
   PixelRegion region_;
@@ -143,17 +128,22 @@ class Render {
 
 }  // namespace
 
-Result<RenderResult> render_image(const Scene& scene, const RenderOptions& options,
+Result<RenderResult> render_image(const RenderScene& scene, const RenderOptions& options,
                                   const RenderContext& context) {
-  auto camera = CameraRays::prepare(scene.camera);
-  if (!camera) return tl::unexpected(camera.error());
-  auto compiled = RenderScene::compile(scene, {.accelerator = options.accelerator});
-  if (!compiled) return tl::unexpected(compiled.error());
-  auto integrator = make_integrator(options.integrator, **compiled, options.integrator_options);
+  auto eye = EyeRays::prepare(scene, options.width, options.height);
+  if (!eye) return tl::unexpected(eye.error());
+  auto integrator = make_integrator(options.integrator, scene, options.integrator_options);
   if (!integrator) return tl::unexpected(integrator.error());
   RenderResult result;
-  Render(**integrator, *camera, **compiled, options, context, result).run();
+  Render(**integrator, *eye, options, context, result).run();
   return result;
+}
+
+Result<RenderResult> render_image(const Scene& scene, const CompileOptions& compile_options,
+                                  const RenderOptions& options, const RenderContext& context) {
+  auto compiled = RenderScene::compile(scene, compile_options);
+  if (!compiled) return tl::unexpected(compiled.error());
+  return render_image(**compiled, options, context);
 }
 
 }  // namespace dioptre

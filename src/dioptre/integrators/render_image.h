@@ -28,7 +28,6 @@ struct RenderOptions {
   AntialiasSettings antialias;
   IntegratorOptions integrator_options;
   std::string integrator = "whitted";
-  std::string accelerator = "bvh";
   std::uint32_t threads = 0;  ///< 0: as many as there are cores
 };
 
@@ -50,8 +49,12 @@ struct RenderResult {
   bool cancelled = false;  ///< the image is not complete
 };
 
-/// Compiles the scene and renders it. The image does not depend on the number of threads.
-Result<RenderResult> render_image(const Scene& scene, const RenderOptions& options,
+/// Renders a compiled scene. The image does not depend on the number of threads.
+Result<RenderResult> render_image(const RenderScene& scene, const RenderOptions& options,
                                   const RenderContext& context);
+
+/// Compiles a scene and renders it.
+Result<RenderResult> render_image(const Scene& scene, const CompileOptions& compile_options,
+                                  const RenderOptions& options, const RenderContext& context);
 
 }  // namespace dioptre

@@ -64,13 +64,38 @@ double ior_behind(const Scene& scene, const Part& part, const MediaStack& media)
   return ior_of(scene, beyond.top()) / ior_of(scene, media.top());
 }
 
+/// The rays of one path, each begun within the one before it: told to have ended when it is done.
+class WatchedRays {
+ public:
+  explicit WatchedRays(RayObserver* observer) : observer_(observer) {}
+  WatchedRays(const WatchedRays&) = delete;
+  WatchedRays& operator=(const WatchedRays&) = delete;
+  ~WatchedRays() {
+    for (; observer_ && begun_ > 0; --begun_) observer_->end();
+  }
+  void go_on() { ++begun_; }
+  void receive(LightTerm term, Color light) const {
+    if (observer_) observer_->receive(term, light);
+  }
+
+ private:
+  RayObserver* observer_;
+  std::uint32_t begun_ = 1;
+};
+
 }  // namespace
+
+/// Tells the observer, if there is one, of the ray that a path begins with. trace() ends it.
+void Whitted::begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const {
+  if (!observer) return;
+  observer->begin({kind, path.ray, share, path.level, ior_of(scene_.scene(), path.media.top())});
+}
 
 /// What one thread needs at hand, by depth of recursion; grows once and stays.
 struct Whitted::Scratch {
   std::deque<TextureSample> samples;
   std::uint32_t depth = 0;
-  RayCounts counts;
+  RayLog* log = nullptr;
 };
 
 Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
@@ -87,17 +112,16 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
   }
 }
 
-Radiance Whitted::radiance(const Ray& camera_ray, RayCounts& counts) const {
+Radiance Whitted::radiance(const Ray& camera_ray, RayLog& log) const {
   thread_local Scratch scratch;
-  scratch.counts = {};
   scratch.depth = 0;
+  scratch.log = &log;
+  ++log.counts.camera;
   Path path;
   path.ray = camera_ray;
   path.media = camera_media_;
-  const Radiance result = trace(std::move(path), scratch);
-  scratch.counts.camera = 1;
-  counts += scratch.counts;
-  return result;
+  begin(RayKind::kCamera, path, {1, 1, 1}, log.observer);
+  return trace(std::move(path), scratch);
 }
 
 bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
@@ -112,22 +136,25 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
   if (scratch.samples.size() <= scratch.depth) scratch.samples.emplace_back();
   TextureSample& sample = scratch.samples[scratch.depth];
   Color radiance, through{1, 1, 1};
-  while (true) {
+  for (WatchedRays watched(scratch.log->observer);; watched.go_on()) {
     Hit hit;
+    Color reached{1, 1, 1};  // what mists leave on the way to the surface
     const bool found = scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit);
     const double distance = found ? hit.crossing.t : kInfinity;
     if (path.media.in_atmosphere()) {
-      const FogEffect fog = fog_effect(scene_, path.ray, distance);
-      radiance += through * fog.added;
-      through *= fog.transmittance;
-      if (!rainbows_.empty()) {
-        const FogEffect rainbow = rainbows_.effect(path.ray, distance);
-        radiance += through * rainbow.added;
-        through *= rainbow.transmittance;
-      }
+      const auto cross = [&](const FogEffect& mist) {
+        radiance += through * mist.added;
+        watched.receive(LightTerm::kBackground, reached * mist.added);
+        through *= mist.transmittance;
+        reached *= mist.transmittance;
+      };
+      cross(fog_effect(scene_, path.ray, distance));
+      if (!rainbows_.empty()) cross(rainbows_.effect(path.ray, distance));
     }
     if (!found) {
-      radiance += through * sky_radiance(scene_, path.ray.direction);
+      const Color sky = sky_radiance(scene_, path.ray.direction);
+      radiance += through * sky;
+      watched.receive(LightTerm::kBackground, reached * sky);
       return {radiance, 1 - max_component(through)};
     }
     SurfaceInteraction at = scene_.interaction(path.ray, hit);
@@ -135,6 +162,7 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
     at.surface.normal = facing(at.surface.normal, path.ray.direction);
     at.surface.shading_normal = facing(at.surface.shading_normal, path.ray.direction);
     scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
+    if (scratch.log->observer) scratch.log->observer->meet(hit, at, sample);
 
     const Color faded = fading(scene_.scene(), *at.part, path.media, distance);
     const Path before = path;
@@ -151,9 +179,11 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
                                   : Passage::kNone;
       if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
       transmitted *= faded;
-      radiance +=
-          through * stack.weight * shade(at, stack, before, scratch, passage != Passage::kMirrored);
+      const Vertex vertex{at, stack, before, reached * stack.weight};
+      radiance += through * stack.weight * shade(vertex, scratch, passage != Passage::kMirrored);
       if (passage == Passage::kNone || is_black(transmitted)) continue;
+      ++scratch.log->counts.transmitted;
+      begin(RayKind::kTransmitted, next, vertex.share * transmitted, scratch.log->observer);
       if (i + 1 == sample.stacks.size()) {
         path = next;
         next_through = through * transmitted * stack.weight;
@@ -184,62 +214,73 @@ Color Whitted::left_by_mirrors(const SurfaceInteraction& at, const TextureSample
 }
 
 /// The light of one stack of layers by itself and, if it `mirrors`, by its mirrors.
-Color Whitted::shade(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                     const Path& path, Scratch& scratch, bool mirrors) const {
+Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool mirrors) const {
+  const Part& part = *vertex.at.part;
   const auto layer = [&](std::uint32_t i) -> const SurfaceLayer& {
-    return scratch.samples[scratch.depth].layers[stack.first + i];
+    return scratch.samples[scratch.depth].layers[vertex.stack.first + i];
   };
   const Color ambient_light = scene_.scene().settings.ambient_light;
   Color radiance;
   Color filter{1, 1, 1};
-  for (std::uint32_t i = 0; i < stack.count; ++i) {
+  for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
     radiance += filter * glow(layer(i), ambient_light);
     filter *= layer(i).pigment.transmittance();
   }
+  if (scratch.log->observer)
+    scratch.log->observer->receive(LightTerm::kAmbient, vertex.share * radiance);
   for (const LightSource& light : direct_.lights()) {
-    if (!lights(light.light(), *at.part)) continue;
-    radiance += light_from(light, at, stack, path, scratch);
+    if (lights(light.light(), part)) radiance += light_from(light, vertex, scratch);
   }
-  for (std::uint32_t i = 0; i < stack.count && mirrors && reflections_; ++i) {
+  for (std::uint32_t i = 0; i < vertex.stack.count && mirrors && reflections_; ++i) {
+    const Path& path = vertex.path;
     const Color share =
-        reflectance(layer(i), path.ray.direction, ior_behind(scene_.scene(), *at.part, path.media));
-    if (is_black(share)) continue;
-    radiance += share * mirrored(at, layer(i).normal, share * stack.weight, path, scratch);
+        reflectance(layer(i), path.ray.direction, ior_behind(scene_.scene(), part, path.media));
+    if (!is_black(share)) radiance += share * mirrored(vertex, layer(i).normal, share, scratch);
   }
   return radiance;
 }
 
 /// The light of one source, shaded by every layer of the stack. The shadow is looked for once, and
 /// only if a layer can show the light.
-Color Whitted::light_from(const LightSource& light, const SurfaceInteraction& at,
-                          const TextureSample::Stack& stack, const Path& path,
-                          Scratch& scratch) const {
+Color Whitted::light_from(const LightSource& light, const Vertex& vertex, Scratch& scratch) const {
+  const SurfaceInteraction& at = vertex.at;
   const auto illumination = light.illuminate(at.surface.position);
   if (!illumination) return {};
-  Color radiance, filter{1, 1, 1};
+  ReflectedLight reflected;
+  Color filter{1, 1, 1};
   const TextureSample& sample = scratch.samples[scratch.depth];
-  for (std::uint32_t i = 0; i < stack.count; ++i) {
-    const SurfaceLayer& layer = sample.layers[stack.first + i];
-    const LightGeometry geometry{layer.normal, -path.ray.direction, illumination->to_light};
-    radiance += filter * reflected_light(layer, geometry, at.part->double_illuminate,
-                                         light.light().shadowless);
+  for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
+    const SurfaceLayer& layer = sample.layers[vertex.stack.first + i];
+    const LightGeometry geometry{layer.normal, -vertex.path.ray.direction, illumination->to_light};
+    const ReflectedLight own =
+        reflected_light(layer, geometry, at.part->double_illuminate, light.light().shadowless);
+    reflected.diffuse += filter * own.diffuse;
+    reflected.highlights += filter * own.highlights;
     filter *= layer.pigment.transmittance();
   }
-  if (is_black(radiance)) return {};
-  radiance *= illumination->intensity;
-  return radiance * direct_.visibility(light, *illumination, at, scratch.counts);
+  if (is_black(reflected.sum())) return {};
+  const Color arriving =
+      illumination->intensity * direct_.visibility(light, *illumination, at, *scratch.log);
+  if (scratch.log->observer) {
+    const Color share = vertex.share * arriving;
+    scratch.log->observer->receive(LightTerm::kDiffuse, share * reflected.diffuse);
+    scratch.log->observer->receive(LightTerm::kHighlight, share * reflected.highlights);
+  }
+  return reflected.sum() * arriving;
 }
 
 /// What a surface mirrors at a normal; black where the ray would count for too little.
-Color Whitted::mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,
-                        Scratch& scratch) const {
+Color Whitted::mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const {
+  const Path& path = vertex.path;
   Path mirrored = path;
-  mirrored.weight = path.weight * share;
+  mirrored.weight = path.weight * (share * vertex.stack.weight);
   if (!may_spawn(mirrored.weight, path.level)) return {};
-  mirrored.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+  mirrored.ray =
+      spawn_ray(vertex.at, mirror_direction(path.ray.direction, normal, vertex.at.surface.normal));
   mirrored.level = path.level + 1;
   mirrored.purpose = RayPurpose::kReflection;
-  ++scratch.counts.secondary;
+  ++scratch.log->counts.reflected;
+  begin(RayKind::kReflected, mirrored, vertex.share * share, scratch.log->observer);
   ++scratch.depth;
   const Color radiance = trace(std::move(mirrored), scratch).color;
   --scratch.depth;

@@ -18,7 +18,7 @@ class Whitted final : public RayIntegrator {
  public:
   Whitted(const RenderScene& scene, const IntegratorOptions& options);
 
-  Radiance radiance(const Ray& camera_ray, RayCounts& counts) const override;
+  Radiance radiance(const Ray& camera_ray, RayLog& log) const override;
 
  private:
   /// A ray on its way, and what it may still add to its pixel.
@@ -32,16 +32,21 @@ class Whitted final : public RayIntegrator {
   /// What becomes of a path at a surface that lets light through.
   enum class Passage { kNone, kThrough, kMirrored };
   struct Scratch;
+  /// A point of a path where it is shaded.
+  struct Vertex {
+    const SurfaceInteraction& at;
+    TextureSample::Stack stack;
+    const Path& path;
+    Color share;  ///< of its light that the ray brings to where it began
+  };
 
+  void begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const;
   Radiance trace(Path path, Scratch& scratch) const;
   Color left_by_mirrors(const SurfaceInteraction& at, const TextureSample::Stack& stack,
                         const TextureSample& sample, const Path& path) const;
-  Color shade(const SurfaceInteraction& at, const TextureSample::Stack& stack, const Path& path,
-              Scratch& scratch, bool mirrors) const;
-  Color light_from(const LightSource& light, const SurfaceInteraction& at,
-                   const TextureSample::Stack& stack, const Path& path, Scratch& scratch) const;
-  Color mirrored(const SurfaceInteraction& at, Vec3 normal, Color share, const Path& path,
-                 Scratch& scratch) const;
+  Color shade(const Vertex& vertex, Scratch& scratch, bool mirrors) const;
+  Color light_from(const LightSource& light, const Vertex& vertex, Scratch& scratch) const;
+  Color mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const;
   Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;
 

@@ -36,7 +36,7 @@ class OnePixel {
     return scene.objects.back();
   }
   Color render() const {
-    const auto result = render_image(scene, {.width = 1, .height = 1}, {});
+    const auto result = render_image(scene, {}, {.width = 1, .height = 1}, {});
     EXPECT_TRUE(result) << (result ? "" : result.error().message);
     return result ? result->image.at(0, 0) : Color{};
   }
@@ -287,7 +287,7 @@ TEST(RenderImage, TheImageDoesNotDependOnThreads) {
   for (const std::uint32_t threads : {1u, 2u, 4u}) {
     RenderOptions options{.width = 70, .height = 50, .threads = threads};
     options.antialias.method = 1;
-    const auto result = render_image(pixel.scene, options, {});
+    const auto result = render_image(pixel.scene, {}, options, {});
     ASSERT_TRUE(result);
     if (first.empty()) first = result->image.pixels;
     EXPECT_TRUE(first == result->image.pixels) << threads;

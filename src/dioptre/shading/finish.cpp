@@ -54,13 +54,14 @@ Color glow(const SurfaceLayer& layer, Color ambient_light) {
          layer.pigment.opacity();
 }
 
-Color reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,
-                      bool double_illuminate, bool no_highlights) {
+ReflectedLight reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,
+                               bool double_illuminate, bool no_highlights) {
   const double n_dot_l = dot(geometry.normal, geometry.to_light);
-  if (n_dot_l == 0) return {};
-  Color sum = diffuse(layer, geometry, n_dot_l, double_illuminate);
-  if (n_dot_l > 0 && !no_highlights) sum += highlights(layer, geometry, n_dot_l);
-  return sum;
+  ReflectedLight light;
+  if (n_dot_l == 0) return light;
+  light.diffuse = diffuse(layer, geometry, n_dot_l, double_illuminate);
+  if (n_dot_l > 0 && !no_highlights) light.highlights = highlights(layer, geometry, n_dot_l);
+  return light;
 }
 
 Color reflectance(const SurfaceLayer& layer, Vec3 direction, double ior) {

@@ -18,11 +18,16 @@ struct LightGeometry {
 /// What a layer sends out by itself: ambient and emission.
 Color glow(const SurfaceLayer& layer, Color ambient_light);
 
-/// What a layer sends to the viewer of a light of intensity 1: diffuse term and highlights.
-/// `double_illuminate` shows light from behind as if it came from the front; `no_highlights` leaves
-/// the highlights out.
-Color reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,
-                      bool double_illuminate, bool no_highlights);
+/// What a layer sends to the viewer of a light of intensity 1.
+struct ReflectedLight {
+  Color diffuse, highlights;
+  Color sum() const { return diffuse + highlights; }
+};
+
+/// Shades a layer. `double_illuminate` shows light from behind as if it came from the front;
+/// `no_highlights` leaves the highlights out.
+ReflectedLight reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,
+                               bool double_illuminate, bool no_highlights);
 
 /// The share of the mirrored light that a layer adds, seen along `direction`. `ior` is the index of
 /// refraction behind the surface over the one before it (for `fresnel`).
