@@ -49,12 +49,13 @@ class BoundingVolumeHierarchy {
   /// called for each inner node looked at.
   template <class Leaf>
   void traverse(const Ray& ray, Interval& range, Leaf&& leaf) const {
+    for (const Unbounded& each : unbounded_) {
+      if (!leaf(each.item, range)) return;
+    }
+    if (!has_root_) return;
     const SlabRay slabs(ray);
     double entry = 0;
-    for (const Unbounded& each : unbounded_) {
-      if (slabs.meets(each.box, range, entry) && !leaf(each.item, range)) return;
-    }
-    if (!has_root_ || !slabs.meets(root_box_, range, entry)) return;
+    if (!slabs.meets(root_box_, range, entry)) return;
     struct Pending {
       double entry;
       Child child;

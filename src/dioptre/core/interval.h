@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace dioptre {
@@ -19,6 +21,11 @@ struct Interval {
   constexpr bool surrounds(double v) const { return min < v && v < max; }
   bool operator==(const Interval&) const = default;
 };
+
+/// The next number above a positive, finite one.
+constexpr double just_above(double v) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) + 1);
+}
 
 constexpr Interval intersect(Interval a, Interval b) {
   return {std::max(a.min, b.min), std::min(a.max, b.max)};

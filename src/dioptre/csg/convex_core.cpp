@@ -56,11 +56,12 @@ bool ConvexCore::meet(const std::vector<PlacedLeaf>& placed, const Ray& ray, Int
     if (!cut(ends.back(), window)) return false;
   }
   for (const std::uint32_t id : others_) {
-    ConvexSpan span;
-    if (!placed[id].stretch(ray, id, span)) return false;
-    ends.push_back(span.enter);
-    ends.push_back(span.exit);
-    if (!cut(span.enter, window) || !cut(span.exit, window)) return false;
+    std::array<Crossing, 2> both;
+    if (!placed[id].stretch(ray, id, both)) return false;
+    for (const Crossing& end : both) {
+      ends.push_back(end);
+      if (!cut(end, window)) return false;
+    }
   }
   return true;
 }

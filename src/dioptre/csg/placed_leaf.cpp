@@ -68,11 +68,13 @@ bool PlacedLeaf::nearest(const Ray& ray, Interval range, Crossing& out) const {
   return true;
 }
 
-bool PlacedLeaf::stretch(const Ray& ray, std::uint32_t id, ConvexSpan& out) const {
-  if (!convex_->stretch(to_object(ray), out)) return false;
-  for (Crossing* end : {&out.enter, &out.exit}) {
-    to_world(ray, *end);
-    end->leaf = id;
+bool PlacedLeaf::stretch(const Ray& ray, std::uint32_t id, std::array<Crossing, 2>& ends) const {
+  ConvexSpan span;
+  if (!convex_->stretch(to_object(ray), span)) return false;
+  ends = {span.entry(), span.leaving()};
+  for (Crossing& end : ends) {
+    to_world(ray, end);
+    end.leaf = id;
   }
   return true;
 }
@@ -81,10 +83,19 @@ bool PlacedLeaf::contains(Vec3 p) const {
   return leaf_.shape->contains(moved_ ? leaf_.placement.to_object.point(p) : p) != leaf_.complement;
 }
 
-Surface PlacedLeaf::surface(const Ray& ray, const Crossing& crossing) const {
+/// A crossing as the shape reported it.
+Crossing PlacedLeaf::own(const Crossing& crossing) const {
   Crossing own = crossing;
   own.entering = crossing.entering != leaf_.complement;
-  Surface surface = leaf_.shape->surface(to_object(ray), own);
+  return own;
+}
+
+Vec2 PlacedLeaf::uv(const Ray& ray, const Crossing& crossing) const {
+  return leaf_.shape->uv(to_object(ray), own(crossing));
+}
+
+Surface PlacedLeaf::surface(const Ray& ray, const Crossing& crossing) const {
+  Surface surface = leaf_.shape->surface(to_object(ray), own(crossing));
   if (moved_) {
     const Affine& back = leaf_.placement.to_object;
     surface.position = leaf_.placement.to_world.point(surface.position);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "dioptre/csg/tree.h"
@@ -40,12 +41,14 @@ class PlacedLeaf {
   /// just after range.min. Their errors take in the rounding of the ray and of the leaf's place.
   bool crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const;
   bool nearest(const Ray& ray, Interval range, Crossing& out) const;
-  /// The stretch of a ray in a convex leaf, its ends marked with `id`; false for a miss.
-  bool stretch(const Ray& ray, std::uint32_t id, ConvexSpan& out) const;
+  /// The stretch of a ray in a convex leaf, as two crossings marked with `id`; false for a miss.
+  bool stretch(const Ray& ray, std::uint32_t id, std::array<Crossing, 2>& ends) const;
   bool contains(Vec3 p) const;
   Surface surface(const Ray& ray, const Crossing& crossing) const;
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const;
 
  private:
+  Crossing own(const Crossing& crossing) const;
   Ray to_object(const Ray& ray) const { return moved_ ? leaf_.placement.to_object.ray(ray) : ray; }
   void to_world(const Ray& ray, Crossing& crossing) const;
 

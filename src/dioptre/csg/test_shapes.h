@@ -44,7 +44,7 @@ class Ball final : public ConvexShape {
   }
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     const Vec3 p = ray.at(crossing.t);
-    return {p, normalize(p), normalize(p), {}};
+    return {p, normalize(p), normalize(p)};
   }
 
  private:
@@ -70,7 +70,7 @@ class Block final : public ConvexShape {
   }
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     const Vec3 p = ray.at(crossing.t);
-    Surface surface{p, {}, {}, {}};
+    Surface surface{p, {}, {}};
     double best = kInfinity;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const double side : {-1.0, 1.0}) {
@@ -101,7 +101,7 @@ class Tube final : public ConvexShape {
   }
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     const Vec3 p = ray.at(crossing.t), n = normalize({p.x, p.y, 0});
-    return {p, n, n, {}};
+    return {p, n, n};
   }
 };
 
@@ -120,7 +120,7 @@ class Square final : public Shape {
     return false;
   }
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
-    return {ray.at(crossing.t), {0, 0, 1}, {0, 0, 1}, {}};
+    return {ray.at(crossing.t), {0, 0, 1}, {0, 0, 1}};
   }
 };
 

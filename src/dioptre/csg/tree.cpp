@@ -23,6 +23,9 @@ class PlacedShape final : public Shape {
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     return leaf_.surface(ray, crossing);
   }
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    return leaf_.uv(ray, crossing);
+  }
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     if (!leaf_.nearest(ray, range, out)) return false;
     out.leaf = id_;
@@ -92,6 +95,9 @@ class Tree final : public Shape {
 
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     return compiled_.placed[crossing.leaf].surface(ray, crossing);
+  }
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    return compiled_.placed[crossing.leaf].uv(ray, crossing);
   }
 
  private:

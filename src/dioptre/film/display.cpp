@@ -50,18 +50,19 @@ class Diffuser {
 template <class RowStart, class Value>
 void fill(EncodedImage& out, const Image& image, RowStart&& row_start, Value&& value) {
   const double top = (1u << out.bits) - 1;
-  out.values.reserve(image.pixels.size() * out.channels);
+  out.values.resize(image.pixels.size() * out.channels);
+  std::uint16_t* next = out.values.data();
   for (std::uint32_t y = 0; y < image.height; ++y) {
     row_start();
     for (std::uint32_t x = 0; x < image.width; ++x) {
       const std::size_t at = std::size_t{y} * image.width + x;
       const Color c = image.pixels[at];
-      out.values.push_back(value(c.r, x, 0));
-      out.values.push_back(value(c.g, x, 1));
-      out.values.push_back(value(c.b, x, 2));
+      *next++ = value(c.r, x, 0);
+      *next++ = value(c.g, x, 1);
+      *next++ = value(c.b, x, 2);
       if (out.channels < 4) continue;
       const double alpha = image.alpha.empty() ? 1.0 : clip(image.alpha[at]);
-      out.values.push_back(static_cast<std::uint16_t>(std::floor(alpha * top + 0.5)));
+      *next++ = static_cast<std::uint16_t>(std::floor(alpha * top + 0.5));
     }
   }
 }

@@ -7,7 +7,11 @@
 namespace dioptre {
 
 TransferCurve::TransferCurve(std::function<double(float)> exact, double top)
-    : exact_(std::move(exact)), top_(top), doubt_(top * 1e-6 + 1e-9) {
+    : exact_(std::move(exact)),
+      top_(top),
+      doubt_(top * 1e-6 + 1e-9),
+      lowest_(exact_level(0)),
+      highest_(exact_level(1)) {
   const auto at = [&](double piece) {
     const auto bits = static_cast<std::uint32_t>(piece * (1u << kPieceBits));
     return exact_(std::bit_cast<float>(kFirst + bits)) * top_ + 0.5;

@@ -21,8 +21,8 @@ class TransferCurve {
   /// top * exact(v), rounded half up. What is not a number counts as 0, what lies outside as the
   /// nearer end.
   std::uint16_t level(float v) const {
-    if (!(v > 0)) return exact_level(0);
-    if (v >= 1) return exact_level(1);
+    if (!(v > 0)) return lowest_;
+    if (v >= 1) return highest_;
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(v);
     if (bits < kFirst) return exact_level(v);
     const Parabola& p = pieces_[(bits - kFirst) >> kPieceBits];
@@ -46,6 +46,7 @@ class TransferCurve {
 
   std::function<double(float)> exact_;
   double top_, doubt_;
+  std::uint16_t lowest_, highest_;  ///< of 0 and of 1
   std::array<Parabola, kPieces> pieces_;
 };
 

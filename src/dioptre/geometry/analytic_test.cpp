@@ -332,7 +332,7 @@ TEST(Surface, CoordinatesAreThoseOfSceneFiles) {
     const ShapePtr shape = make(data);
     Crossing c;
     EXPECT_TRUE(shape->nearest(ray, {0, kInfinity}, c));
-    return shape->surface(ray, c).uv;
+    return shape->uv(ray, c);
   };
   const auto expect = [](Vec2 found, Vec2 wanted) {
     EXPECT_NEAR(found.x, wanted.x, 1e-4);

@@ -12,20 +12,35 @@ inline constexpr double kRounding = 0x1p-53;
 
 /// The stretch of a ray inside a convex solid. An end at infinity is no crossing.
 struct ConvexSpan {
-  Crossing enter{.t = -kInfinity, .entering = true};
-  Crossing exit{.t = kInfinity, .entering = false};
+  struct End {
+    double t;
+    double error = 0;
+    std::uint32_t face = 0;
+    bool visible = true;
+  };
+  End enter{-kInfinity}, exit{kInfinity};
   Interval wanted = Interval::all();  ///< set by the caller: where the span matters
 
   /// Cuts the span to the part inside one more convex set.
   void clip_enter(double t, double error, std::uint32_t face, bool visible = true) {
-    if (t > enter.t)
-      enter = {.t = t, .error = error, .face = face, .entering = true, .visible = visible};
+    if (t > enter.t) enter = {t, error, face, visible};
   }
   void clip_exit(double t, double error, std::uint32_t face, bool visible = true) {
-    if (t < exit.t)
-      exit = {.t = t, .error = error, .face = face, .entering = false, .visible = visible};
+    if (t < exit.t) exit = {t, error, face, visible};
   }
   bool empty() const { return !(enter.t < exit.t); }
+
+  Crossing entry() const { return crossing(enter, true); }
+  Crossing leaving() const { return crossing(exit, false); }
+
+ private:
+  static Crossing crossing(const End& end, bool entering) {
+    return {.t = end.t,
+            .error = end.error,
+            .face = end.face,
+            .entering = entering,
+            .visible = end.visible};
+  }
 };
 
 /// A solid that every ray meets in one stretch or not at all.
@@ -49,21 +64,22 @@ class ConvexShape : public ConvexSolid {
   bool crossings(const Ray& ray, Interval range, Crossings& out) const final {
     ConvexSpan s{.wanted = range};
     if (!derived().span(ray, s) || s.empty()) return false;
-    if (range.surrounds(s.enter.t)) out.push_back(s.enter);
-    if (range.surrounds(s.exit.t)) out.push_back(s.exit);
+    if (range.surrounds(s.enter.t)) out.push_back(s.entry());
+    if (range.surrounds(s.exit.t)) out.push_back(s.leaving());
     return s.enter.t <= range.min && range.min < s.exit.t;
   }
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const final {
     ConvexSpan s{.wanted = range};
     if (!derived().span(ray, s) || s.empty()) return false;
-    for (const Crossing* crossing : {&s.enter, &s.exit}) {
-      if (range.surrounds(crossing->t) && crossing->visible) {
-        out = *crossing;
-        return true;
-      }
+    if (range.surrounds(s.enter.t) && s.enter.visible) {
+      out = s.entry();
+    } else if (range.surrounds(s.exit.t) && s.exit.visible) {
+      out = s.leaving();
+    } else {
+      return false;
     }
-    return false;
+    return true;
   }
 
  private:

@@ -33,7 +33,6 @@ struct Surface {
   Vec3 position;
   Vec3 normal;          ///< geometric, unit, pointing out of the solid (or to a sheet's front)
   Vec3 shading_normal;  ///< unit; differs from `normal` on smoothed faces only
-  Vec2 uv;              ///< surface coordinates in [0,1]^2 where the shape has them
 };
 
 /// The points p with dot(p, normal) <= distance; the normal is a unit vector.
@@ -76,6 +75,9 @@ class Shape {
 
   /// The geometry at a crossing that `crossings` or `nearest` reported for this very ray.
   virtual Surface surface(const Ray& ray, const Crossing& crossing) const = 0;
+
+  /// The surface coordinates at such a crossing, in [0,1]^2; (0, 0) if the shape has none.
+  virtual Vec2 uv(const Ray&, const Crossing&) const { return {}; }
 
   /// The first visible crossing in the range; false if there is none. The default asks
   /// `crossings`; shapes override it where they can stop early.

@@ -84,16 +84,17 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
   if (distance <= kShadowGap || light.shadowless) return {1, 1, 1};
   ++log.counts.shadow;
   const Interval range{kShadowGap, distance};
-  const Color visible = through(light, ray, range, blocker);
+  const Color visible = through(light, ray, range, blocker, log);
   if (log.observer) log.observer->shadow({number, ray, range, blocker, visible});
   return visible;
 }
 
 /// What all surfaces and media in the range leave of the light.
 Color DirectLight::through(const Light& light, const Ray& ray, Interval range,
-                           const Item*& blocker) const {
+                           const Item*& blocker, RayLog& log) const {
   thread_local std::vector<Hit> hits;
-  if (!scene_.shadow_hits(ray, range, hits, blocker)) return {};
+  const auto reaches = [&] { return scene_.shadow_hits(ray, range, hits, blocker); };
+  if (!log.clock.time(reaches)) return {};
   Color through{1, 1, 1};
   for (const Hit& hit : hits) {
     through *= scene_.surface_transmittance(ray, hit);

@@ -23,7 +23,8 @@ class DirectLight {
                    const SurfaceInteraction& at, RayLog& log) const;
 
  private:
-  Color through(const Light& light, const Ray& ray, Interval range, const Item*& blocker) const;
+  Color through(const Light& light, const Ray& ray, Interval range, const Item*& blocker,
+                RayLog& log) const;
   Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
                  const Item*& blocker, RayLog& log) const;
   Color along(std::size_t number, Vec3 to_light, double distance, const SurfaceInteraction& at,

@@ -9,6 +9,7 @@
 #include "dioptre/core/color.h"
 #include "dioptre/core/ray.h"
 #include "dioptre/core/result.h"
+#include "dioptre/integrators/query_clock.h"
 #include "dioptre/integrators/ray_observer.h"
 #include "dioptre/render/render_scene.h"
 
@@ -35,6 +36,7 @@ struct RayCounts {
 struct RayLog {
   RayCounts counts;
   RayObserver* observer = nullptr;  ///< may be none; changes nothing in the picture
+  QueryClock clock;                 ///< asks what rays meet
 };
 
 /// Computes the light that comes along a ray from the eye. Immutable; used by all threads at once.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 
 #include "dioptre/render/render_scene.h"
@@ -70,7 +69,7 @@ class MediaStack {
   /// The interior entered last; none in the open, and in a solid without one.
   InteriorId top() const { return size_ > 0 ? entries_[size_ - 1].interior() : InteriorId{}; }
   /// True if every solid around lets the atmosphere in.
-  bool in_atmosphere() const { return static_cast<std::uint32_t>(std::popcount(hollow_)) == size_; }
+  bool in_atmosphere() const { return hollow_ == (std::uint32_t{1} << size_) - 1; }
   const Entry* begin() const { return entries_.data(); }
   const Entry* end() const { return entries_.data() + size_; }
 

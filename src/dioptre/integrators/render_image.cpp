@@ -2,6 +2,7 @@
 #include "dioptre/integrators/render_image.h"
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 
 #include "dioptre/core/parallel.h"
@@ -11,13 +12,6 @@ namespace dioptre {
 namespace {
 
 constexpr std::uint32_t kTile = 16;
-
-PixelRegion cut(PixelRegion region, std::uint32_t width, std::uint32_t height) {
-  region.end_column = std::min(region.end_column, width);
-  region.end_row = std::min(region.end_row, height);
-  const bool empty = region.first_column >= region.end_column || region.first_row >= region.end_row;
-  return empty ? PixelRegion{0, 0, width, height} : region;
-}
 
 /// One render: every pixel is a function of the scene and the options alone; threads only decide
 /// when it is computed.
@@ -29,7 +23,7 @@ class Render {
         eye_(eye),
         options_(options),
         context_(context),
-        region_(cut(options.region, options.width, options.height)),
+        region_(region_within(options.region, options.width, options.height)),
         result_(result) {
     result.image = Image(options.width, options.height);
     result.image.alpha.assign(result.image.pixels.size(), 0.0f);
@@ -95,6 +89,7 @@ class Render {
     const std::uint32_t tiles = across * ((rows + kTile - 1) / kTile);
     std::uint32_t finished = 0;
     parallel_for(tiles, options_.threads, context_.cancel, [&](std::uint32_t tile) {
+      const auto begin = std::chrono::steady_clock::now();
       RayLog log;
       const std::uint32_t x0 = region_.first_column + tile % across * kTile;
       const std::uint32_t y0 = region_.first_row + tile / across * kTile;
@@ -104,8 +99,11 @@ class Render {
         }
         if (stopped()) break;
       }
+      const std::chrono::duration<double> busy = std::chrono::steady_clock::now() - begin;
       const std::lock_guard lock(mutex_);
       result_.rays += log.counts;
+      result_.queries += log.clock.times();
+      result_.busy_seconds += busy.count();
       ++finished;
       if (context_.progress) {
         context_.progress({done_before + share * finished / tiles, result_.rays});
@@ -127,6 +125,13 @@ class Render {
 };
 
 }  // namespace
+
+PixelRegion region_within(PixelRegion region, std::uint32_t width, std::uint32_t height) {
+  region.end_column = std::min(region.end_column, width);
+  region.end_row = std::min(region.end_row, height);
+  const bool empty = region.first_column >= region.end_column || region.first_row >= region.end_row;
+  return empty ? PixelRegion{0, 0, width, height} : region;
+}
 
 Result<RenderResult> render_image(const RenderScene& scene, const RenderOptions& options,
                                   const RenderContext& context) {

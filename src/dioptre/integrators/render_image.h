@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "dioptre/core/result.h"
@@ -19,6 +21,9 @@ struct PixelRegion {
   std::uint32_t first_column = 0, first_row = 0;
   std::uint32_t end_column = 0, end_row = 0;
 };
+
+/// A region cut to the size of the image; all of it if nothing would be left.
+PixelRegion region_within(PixelRegion region, std::uint32_t width, std::uint32_t height);
 
 /// How to make the picture: what is not in the scene.
 struct RenderOptions {
@@ -46,7 +51,15 @@ struct RenderContext {
 struct RenderResult {
   Image image;
   RayCounts rays;
-  bool cancelled = false;  ///< the image is not complete
+  QueryTimes queries;       ///< asking what rays meet
+  double busy_seconds = 0;  ///< of all threads together
+  bool cancelled = false;   ///< the image is not complete
+
+  /// The share of the time that went into finding what rays meet; nothing if it was not measured.
+  std::optional<double> intersection_share() const {
+    if (queries.timed == 0 || !(busy_seconds > 0)) return std::nullopt;
+    return std::clamp(queries.seconds() / busy_seconds, 0.0, 1.0);
+  }
 };
 
 /// Renders a compiled scene. The image does not depend on the number of threads.

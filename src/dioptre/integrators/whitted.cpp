@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <memory>
 
 #include "dioptre/integrators/atmosphere.h"
 #include "dioptre/integrators/spawn.h"
@@ -93,7 +93,7 @@ void Whitted::begin(RayKind kind, const Path& path, Color share, RayObserver* ob
 
 /// What one thread needs at hand, by depth of recursion; grows once and stays.
 struct Whitted::Scratch {
-  std::deque<TextureSample> samples;
+  std::vector<std::unique_ptr<TextureSample>> samples;
   std::uint32_t depth = 0;
   RayLog* log = nullptr;
 };
@@ -133,13 +133,16 @@ bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
 /// Follows one ray through all surfaces it goes straight or bent through; what is mirrored on the
 /// way is traced by recursion.
 Radiance Whitted::trace(Path path, Scratch& scratch) const {
-  if (scratch.samples.size() <= scratch.depth) scratch.samples.emplace_back();
-  TextureSample& sample = scratch.samples[scratch.depth];
+  if (scratch.samples.size() <= scratch.depth) {
+    scratch.samples.push_back(std::make_unique<TextureSample>());
+  }
+  TextureSample& sample = *scratch.samples[scratch.depth];
   Color radiance, through{1, 1, 1};
   for (WatchedRays watched(scratch.log->observer);; watched.go_on()) {
     Hit hit;
     Color reached{1, 1, 1};  // what mists leave on the way to the surface
-    const bool found = scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit);
+    const bool found = scratch.log->clock.time(
+        [&] { return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit); });
     const double distance = found ? hit.crossing.t : kInfinity;
     if (path.media.in_atmosphere()) {
       const auto cross = [&](const FogEffect& mist) {
@@ -164,28 +167,21 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
     scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
     if (scratch.log->observer) scratch.log->observer->meet(hit, at, sample);
 
-    const Color faded = fading(scene_.scene(), *at.part, path.media, distance);
-    const Path before = path;
     bool goes_on = false;
+    Path next;
     Color next_through;
     for (std::size_t i = 0; i < sample.stacks.size(); ++i) {
       const TextureSample::Stack stack = sample.stacks[i];
-      Path next = before;
+      const Vertex vertex{at, sample, stack, path, reached * stack.weight};
       Color transmitted = filter_of(sample, stack);
-      if (!is_black(transmitted)) transmitted *= left_by_mirrors(at, stack, sample, before);
-      next.weight *= transmitted * stack.weight;
-      const Passage passage = reflections_ && may_spawn(next.weight, next.level)
-                                  ? pass(at, hit, sample.layers[stack.first].normal, next)
-                                  : Passage::kNone;
-      if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
-      transmitted *= faded;
-      const Vertex vertex{at, stack, before, reached * stack.weight};
+      const Passage passage = is_black(transmitted) || !reflections_
+                                  ? Passage::kNone
+                                  : transmit(vertex, hit, transmitted, next);
       radiance += through * stack.weight * shade(vertex, scratch, passage != Passage::kMirrored);
       if (passage == Passage::kNone || is_black(transmitted)) continue;
       ++scratch.log->counts.transmitted;
       begin(RayKind::kTransmitted, next, vertex.share * transmitted, scratch.log->observer);
       if (i + 1 == sample.stacks.size()) {
-        path = next;
         next_through = through * transmitted * stack.weight;
         goes_on = true;
       } else {
@@ -195,47 +191,63 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
       }
     }
     if (!goes_on) return {radiance, 1};
+    path = next;
     through = next_through;
   }
 }
 
+/// Takes the path on through a surface that filters light by `transmitted`, which becomes the share
+/// of the light behind it that the path brings back.
+Whitted::Passage Whitted::transmit(const Vertex& vertex, const Hit& hit, Color& transmitted,
+                                   Path& next) const {
+  const Path& path = vertex.path;
+  transmitted *= left_by_mirrors(vertex);
+  const Color weight = path.weight * transmitted * vertex.stack.weight;
+  if (!may_spawn(weight, path.level)) return Passage::kNone;
+  next = path;
+  next.weight = weight;
+  const Vec3 normal = vertex.sample.layers[vertex.stack.first].normal;
+  const Passage passage = pass(vertex.at, hit, normal, next);
+  if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
+  transmitted *= fading(scene_.scene(), *vertex.at.part, path.media, hit.crossing.t);
+  return passage;
+}
+
 /// What mirrors that conserve energy leave to the light that comes through. It counts in the weight
 /// of the ray too, and total reflection by Fresnel's law leaves nothing (measured).
-Color Whitted::left_by_mirrors(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                               const TextureSample& sample, const Path& path) const {
+Color Whitted::left_by_mirrors(const Vertex& vertex) const {
+  const Path& path = vertex.path;
   Color left{1, 1, 1};
-  for (std::uint32_t i = 0; i < stack.count && reflections_; ++i) {
-    const SurfaceLayer& layer = sample.layers[stack.first + i];
-    if (!layer.finish->conserve_energy) continue;
-    left *= Color{1, 1, 1} - reflectance(layer, path.ray.direction,
-                                         ior_behind(scene_.scene(), *at.part, path.media));
+  for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
+    const SurfaceLayer& layer = vertex.layer(i);
+    if (!layer.finish->conserve_energy || !mirrors(layer)) continue;
+    const double ior = ior_behind(scene_.scene(), *vertex.at.part, path.media);
+    left *= Color{1, 1, 1} - reflectance(layer, path.ray.direction, ior);
   }
   return left;
 }
 
-/// The light of one stack of layers by itself and, if it `mirrors`, by its mirrors.
-Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool mirrors) const {
+/// The light of one stack of layers by itself and, `with_mirrors`, by its mirrors.
+Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const {
   const Part& part = *vertex.at.part;
-  const auto layer = [&](std::uint32_t i) -> const SurfaceLayer& {
-    return scratch.samples[scratch.depth].layers[vertex.stack.first + i];
-  };
   const Color ambient_light = scene_.scene().settings.ambient_light;
   Color radiance;
   Color filter{1, 1, 1};
   for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
-    radiance += filter * glow(layer(i), ambient_light);
-    filter *= layer(i).pigment.transmittance();
+    radiance += filter * glow(vertex.layer(i), ambient_light);
+    filter *= vertex.layer(i).pigment.transmittance();
   }
   if (scratch.log->observer)
     scratch.log->observer->receive(LightTerm::kAmbient, vertex.share * radiance);
   for (const LightSource& light : direct_.lights()) {
     if (lights(light.light(), part)) radiance += light_from(light, vertex, scratch);
   }
-  for (std::uint32_t i = 0; i < vertex.stack.count && mirrors && reflections_; ++i) {
-    const Path& path = vertex.path;
-    const Color share =
-        reflectance(layer(i), path.ray.direction, ior_behind(scene_.scene(), part, path.media));
-    if (!is_black(share)) radiance += share * mirrored(vertex, layer(i).normal, share, scratch);
+  for (std::uint32_t i = 0; i < vertex.stack.count && with_mirrors && reflections_; ++i) {
+    const SurfaceLayer& layer = vertex.layer(i);
+    if (!mirrors(layer)) continue;
+    const double ior = ior_behind(scene_.scene(), part, vertex.path.media);
+    const Color share = reflectance(layer, vertex.path.ray.direction, ior);
+    if (!is_black(share)) radiance += share * mirrored(vertex, layer.normal, share, scratch);
   }
   return radiance;
 }
@@ -248,9 +260,8 @@ Color Whitted::light_from(const LightSource& light, const Vertex& vertex, Scratc
   if (!illumination) return {};
   ReflectedLight reflected;
   Color filter{1, 1, 1};
-  const TextureSample& sample = scratch.samples[scratch.depth];
   for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
-    const SurfaceLayer& layer = sample.layers[vertex.stack.first + i];
+    const SurfaceLayer& layer = vertex.layer(i);
     const LightGeometry geometry{layer.normal, -vertex.path.ray.direction, illumination->to_light};
     const ReflectedLight own =
         reflected_light(layer, geometry, at.part->double_illuminate, light.light().shadowless);

@@ -35,16 +35,18 @@ class Whitted final : public RayIntegrator {
   /// A point of a path where it is shaded.
   struct Vertex {
     const SurfaceInteraction& at;
+    const TextureSample& sample;
     TextureSample::Stack stack;
     const Path& path;
     Color share;  ///< of its light that the ray brings to where it began
+    const SurfaceLayer& layer(std::uint32_t i) const { return sample.layers[stack.first + i]; }
   };
 
   void begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const;
   Radiance trace(Path path, Scratch& scratch) const;
-  Color left_by_mirrors(const SurfaceInteraction& at, const TextureSample::Stack& stack,
-                        const TextureSample& sample, const Path& path) const;
-  Color shade(const Vertex& vertex, Scratch& scratch, bool mirrors) const;
+  Passage transmit(const Vertex& vertex, const Hit& hit, Color& transmitted, Path& next) const;
+  Color left_by_mirrors(const Vertex& vertex) const;
+  Color shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const;
   Color light_from(const LightSource& light, const Vertex& vertex, Scratch& scratch) const;
   Color mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const;
   Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;

@@ -20,7 +20,8 @@ bool splits(const Object& object) {
 /// Turns the description into items, parts and structures.
 class Compiler {
  public:
-  Compiler(const Scene& scene, RenderScene& out) : scene_(scene), out_(out), shapes_(scene) {}
+  Compiler(const Scene& scene, RenderScene& out)
+      : scene_(scene), out_(out), shapes_(scene), needs_(texture_needs(scene)) {}
 
   Result<void> add_all() {
     Inherited world;
@@ -74,6 +75,7 @@ class Compiler {
       auto index = placement(solid->texture_to_world[i]);
       if (!index) return tl::unexpected(index.error());
       part.placement = *index;
+      part.needs = needs(part);
       out_.parts_.push_back(part);
     }
     out_.items_.push_back(std::move(item));
@@ -98,9 +100,14 @@ class Compiler {
     if (all.empty() || !(all.back().to_world == to_world)) {
       const auto to_object = inverse(to_world);
       if (!to_object) return fail("a texture is flattened by a singular transform");
-      all.push_back({to_world, *to_object});
+      all.push_back({to_world, *to_object, !(to_world == Affine{})});
     }
     return static_cast<std::uint32_t>(all.size() - 1);
+  }
+
+  TextureNeeds needs(const Part& part) const {
+    const TextureNeeds a = needs_[part.texture.index], b = needs_[part.interior_texture.index];
+    return {part.uv_mapping || a.uv || b.uv, a.surface || b.surface};
   }
 
   bool opaque(const Part& part) const {
@@ -115,6 +122,7 @@ class Compiler {
   const Scene& scene_;
   RenderScene& out_;
   PreparedShapes shapes_;
+  std::vector<TextureNeeds> needs_;  ///< by texture
 };
 
 namespace {

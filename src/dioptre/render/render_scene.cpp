@@ -33,7 +33,7 @@ class NearestVisitor final : public LeafVisitor {
     // Of two items at the same distance the first in the file wins, whatever the order of visits.
     if (hit_.item && crossing.t == hit_.crossing.t && hit_.item < &item) return true;
     hit_ = {crossing, &item};
-    range.max = std::nextafter(crossing.t, kInfinity);
+    range.max = just_above(crossing.t);
     return true;
   }
 
@@ -57,9 +57,15 @@ class FunctionVisitor final : public LeafVisitor {
 }  // namespace
 
 bool RenderScene::nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const {
+  WalkCost ignored;
+  return nearest(ray, range, purpose, hit, *accelerator_, ignored);
+}
+
+bool RenderScene::nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit,
+                          const Accelerator& structure, WalkCost& cost) const {
   hit.item = nullptr;
   NearestVisitor visitor(items_, ray, purpose, hit);
-  accelerator_->visit(ray, range, visitor);
+  structure.visit(ray, range, visitor, cost);
   return hit.item != nullptr;
 }
 
@@ -67,6 +73,7 @@ SurfaceInteraction RenderScene::interaction(const Ray& ray, const Hit& hit) cons
   SurfaceInteraction at;
   at.surface = hit.item->shape->surface(ray, hit.crossing);
   at.part = &part(hit);
+  if (at.part->needs.uv) at.uv = hit.item->shape->uv(ray, hit.crossing);
   // The error of t along the ray, and the rounding of origin + t * direction.
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   const Vec3 p = abs(at.surface.position), o = abs(ray.origin);
@@ -76,10 +83,15 @@ SurfaceInteraction RenderScene::interaction(const Ray& ray, const Hit& hit) cons
 }
 
 TexturePoint RenderScene::texture_point(const SurfaceInteraction& at, Vec3 view) const {
-  const Placement& placement = placements_[at.part->placement];
-  TexturePoint point{placement.to_object.point(at.surface.position),
-                     normalize(placement.to_world.covector(at.surface.shading_normal)),
-                     normalize(placement.to_object.vector(view)), at.surface.uv};
+  const TexturePlacement& placement = placements_[at.part->placement];
+  TexturePoint point{at.surface.position, at.surface.shading_normal, view, at.uv};
+  if (placement.moved) {
+    point.position = placement.to_object.point(point.position);
+    if (at.part->needs.surface) {
+      point.normal = normalize(placement.to_world.covector(point.normal));
+      point.view = normalize(placement.to_object.vector(point.view));
+    }
+  }
   if (at.part->uv_mapping) point.position = {point.uv.x, point.uv.y, 0};
   return point;
 }
@@ -89,7 +101,8 @@ void RenderScene::evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool
   out.clear();
   const TexturePoint point = texture_point(at, view);
   textures_->evaluate(from_inside ? at.part->interior_texture : at.part->texture, point, out);
-  const Placement& placement = placements_[at.part->placement];
+  const TexturePlacement& placement = placements_[at.part->placement];
+  if (!placement.moved) return;
   for (SurfaceLayer& layer : out.layers) {
     layer.normal = layer.normal == point.normal
                        ? at.surface.shading_normal
@@ -124,6 +137,13 @@ Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
 
 bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
                               const Item*& blocker) const {
+  WalkCost ignored;
+  return shadow_hits(ray, range, hits, blocker, *accelerator_, ignored);
+}
+
+bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
+                              const Item*& blocker, const Accelerator& structure,
+                              WalkCost& cost) const {
   thread_local Crossings crossings;
   Crossing nearest;
   if (blocker && blocker->shape->nearest(ray, range, nearest)) return false;
@@ -143,7 +163,7 @@ bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& 
     }
     return true;
   });
-  accelerator_->visit(ray, range, visitor);
+  structure.visit(ray, range, visitor, cost);
   if (blocker || hits.size() < 2) return blocker == nullptr;
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.item < b.item;

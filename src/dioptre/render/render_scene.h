@@ -9,6 +9,7 @@
 #include "dioptre/accel/accelerator.h"
 #include "dioptre/core/result.h"
 #include "dioptre/geometry/shape.h"
+#include "dioptre/scene/id_graph.h"
 #include "dioptre/scene/scene.h"
 #include "dioptre/shading/texture_evaluator.h"
 
@@ -23,9 +24,16 @@ struct Part {
   std::uint32_t medium = 0;     ///< a number for each use of an interior; 0 without one
   std::uint32_t placement = 0;  ///< of the texture, index into RenderScene's placements
   bool uv_mapping = false;
+  TextureNeeds needs;  ///< of both textures
   bool double_illuminate = false;
   std::uint32_t light_group = 0;  ///< 0: none
   bool global_lights = true;      ///< lights of no group shine on it
+};
+
+/// Where a texture lies.
+struct TexturePlacement {
+  Affine to_world, to_object;
+  bool moved = false;  ///< not the identity
 };
 
 /// What stands in the accelerator on its own: a primitive, or a whole CSG solid.
@@ -53,6 +61,7 @@ struct Hit {
 struct SurfaceInteraction {
   Surface surface;
   const Part* part = nullptr;
+  Vec2 uv;           ///< if the part's textures need it
   double error = 0;  ///< a bound on the distance of surface.position from the true point
 };
 
@@ -78,9 +87,14 @@ class RenderScene {
   const TextureEvaluator& textures() const { return *textures_; }
   const std::vector<Item>& items() const { return items_; }
   Bounds bounds() const { return accelerator_->bounds(); }
+  /// The structure over the boxes of the items.
+  const Accelerator& accelerator() const { return *accelerator_; }
 
   /// The first visible crossing in the range that a ray of this purpose may see.
   bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const;
+  /// The same through any structure over the boxes of the items; adds up what that costs.
+  bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit,
+               const Accelerator& structure, WalkCost& cost) const;
 
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
 
@@ -90,6 +104,9 @@ class RenderScene {
   /// is looked at first.
   bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
                    const Item*& blocker) const;
+  /// The same through any structure over the boxes of the items; adds up what that costs.
+  bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits, const Item*& blocker,
+                   const Accelerator& structure, WalkCost& cost) const;
 
   /// The share of light that gets through such a surface, brightened by `caustics`. What the
   /// insides of solids take is not counted.
@@ -122,7 +139,7 @@ class RenderScene {
   std::vector<ShapePtr> windows_;  ///< one for each light
   std::vector<Item> items_;
   std::vector<Part> parts_;
-  std::vector<Placement> placements_;
+  std::vector<TexturePlacement> placements_;
   AcceleratorPtr accelerator_;
   std::unique_ptr<const TextureEvaluator> textures_;
 };

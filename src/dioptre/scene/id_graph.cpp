@@ -29,9 +29,15 @@ class Nodes {
 
   /// The nodes that the value of a node needs.
   std::vector<std::size_t> needs(std::size_t node) const;
+  /// What a node itself asks of a texture's lookup.
+  TextureNeeds own_needs(std::size_t node) const;
+  std::size_t first_texture() const { return starts_[1]; }
   std::string pointer(std::size_t node) const;
 
  private:
+  /// Shows all that a node's value depends on to a visitor.
+  template <class Visitor>
+  void show(std::size_t node, Visitor& visitor) const;
   std::size_t kind(std::size_t node) const {
     std::size_t k = 0;
     while (node >= starts_[k + 1]) ++k;
@@ -41,20 +47,15 @@ class Nodes {
   std::array<std::size_t, 6> starts_{};
 };
 
-/// Collects the ids among the fields of a value.
-class Collect {
+/// Calls found(part) for a value and all values in it.
+template <class Found>
+class Walk {
  public:
-  Collect(const Nodes& nodes, std::vector<std::size_t>& out) : nodes_(nodes), out_(out) {}
+  explicit Walk(Found found) : found_(found) {}
 
   template <class T>
   void operator()(const char*, const T& value) {
     add(value);
-  }
-  template <class T>
-  void add(Id<T> id) {
-    if constexpr (requires { nodes_.of(id); }) {
-      if (id) out_.push_back(nodes_.of(id));
-    }
   }
   template <class T>
   void add(const std::vector<T>& values) {
@@ -66,37 +67,60 @@ class Collect {
   }
   template <class T>
   void add(const T& value) {
+    found_(value);
     if constexpr (HasFields<T>) T::fields(value, *this);
   }
 
  private:
-  const Nodes& nodes_;
-  std::vector<std::size_t>& out_;
+  Found found_;
 };
 
-std::vector<std::size_t> Nodes::needs(std::size_t node) const {
-  std::vector<std::size_t> out;
-  Collect collect(*this, out);
+template <class Visitor>
+void Nodes::show(std::size_t node, Visitor& visitor) const {
   const std::size_t k = kind(node), index = node - starts_[k];
   switch (k) {
     case 0:  // where a solid is does not depend on how it looks
-      collect.add(scene_.objects[index].geometry);
-      collect.add(scene_.objects[index].clipped_by);
+      visitor.add(scene_.objects[index].geometry);
+      visitor.add(scene_.objects[index].clipped_by);
       break;
     case 1:
-      collect.add(scene_.textures[index]);
+      visitor.add(scene_.textures[index]);
       break;
     case 2:
-      collect.add(scene_.pigments[index]);
+      visitor.add(scene_.pigments[index]);
       break;
     case 3:
-      collect.add(scene_.normals[index]);
+      visitor.add(scene_.normals[index]);
       break;
     default:
-      collect.add(scene_.functions[index]);
+      visitor.add(scene_.functions[index]);
       break;
   }
+}
+
+std::vector<std::size_t> Nodes::needs(std::size_t node) const {
+  std::vector<std::size_t> out;
+  Walk collect([&](const auto& part) {
+    if constexpr (requires { of(part); }) {
+      if (part) out.push_back(of(part));
+    }
+  });
+  show(node, collect);
   return out;
+}
+
+TextureNeeds Nodes::own_needs(std::size_t node) const {
+  TextureNeeds own;
+  Walk look([&]<class T>(const T& part) {
+    if constexpr (std::is_same_v<T, NormalId>) own.surface = own.surface || part;
+    constexpr bool kLooksAtSurface = std::is_same_v<T, Slope> || std::is_same_v<T, Aoi>;
+    constexpr bool kLooksAtUv = std::is_same_v<T, UvTexture> || std::is_same_v<T, UvPigment> ||
+                                std::is_same_v<T, UvNormal>;
+    if constexpr (kLooksAtSurface) own.surface = true;
+    if constexpr (kLooksAtUv) own.uv = true;
+  });
+  show(node, look);
+  return own;
 }
 
 std::string Nodes::pointer(std::size_t node) const {
@@ -137,6 +161,31 @@ std::string find_cycle(const Scene& scene) {
     }
   }
   return {};
+}
+
+std::vector<TextureNeeds> texture_needs(const Scene& scene) {
+  const Nodes nodes(scene);
+  std::vector<TextureNeeds> needs(nodes.size());
+  std::vector<std::vector<std::size_t>> users(nodes.size());
+  std::vector<std::size_t> pending;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    for (const std::size_t part : nodes.needs(node)) users[part].push_back(node);
+    needs[node] = nodes.own_needs(node);
+    if (needs[node].uv || needs[node].surface) pending.push_back(node);
+  }
+  while (!pending.empty()) {
+    const TextureNeeds part = needs[pending.back()];
+    const std::vector<std::size_t>& whole = users[pending.back()];
+    pending.pop_back();
+    for (const std::size_t user : whole) {
+      TextureNeeds& own = needs[user];
+      if ((own.uv || !part.uv) && (own.surface || !part.surface)) continue;
+      own = {own.uv || part.uv, own.surface || part.surface};
+      pending.push_back(user);
+    }
+  }
+  const auto first = needs.begin() + static_cast<std::ptrdiff_t>(nodes.first_texture());
+  return {first, first + static_cast<std::ptrdiff_t>(scene.textures.size())};
 }
 
 }  // namespace dioptre

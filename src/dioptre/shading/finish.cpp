@@ -65,8 +65,8 @@ ReflectedLight reflected_light(const SurfaceLayer& layer, const LightGeometry& g
 }
 
 Color reflectance(const SurfaceLayer& layer, Vec3 direction, double ior) {
+  if (!mirrors(layer)) return {};
   const Finish& finish = *layer.finish;
-  if (is_black(finish.reflection_max) && is_black(finish.reflection_min)) return {};
   const double cosine = std::clamp(-dot(direction, layer.normal), 0.0, 1.0);
   Color share = finish.reflection_min;
   if (finish.reflection_max != finish.reflection_min) {

@@ -29,6 +29,11 @@ struct ReflectedLight {
 ReflectedLight reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,
                                bool double_illuminate, bool no_highlights);
 
+/// Whether a layer can mirror anything.
+inline bool mirrors(const SurfaceLayer& layer) {
+  return !is_black(layer.finish->reflection_max) || !is_black(layer.finish->reflection_min);
+}
+
 /// The share of the mirrored light that a layer adds, seen along `direction`. `ior` is the index of
 /// refraction behind the surface over the one before it (for `fresnel`).
 Color reflectance(const SurfaceLayer& layer, Vec3 direction, double ior);

@@ -49,7 +49,11 @@ class PreparedBox final : public ConvexShape<PreparedBox> {
     Vec3 normal, position = ray.at(crossing.t);
     normal[axis] = high ? 1 : -1;
     position[axis] = high ? box_.max[axis] : box_.min[axis];
-    return {position, normal, normal, unfold(position, crossing.face)};
+    return {position, normal, normal};
+  }
+
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    return unfold(surface(ray, crossing).position, crossing.face);
   }
 
  private:

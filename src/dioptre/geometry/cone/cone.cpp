@@ -63,7 +63,7 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
     const double slab_error =
         (2 * misplaced + 8 * kRounding * (std::fabs(h) + height_)) / std::fabs(climb) +
         2 * kRounding * std::fabs(shift);
-    for (Crossing* end : {&out.enter, &out.exit}) {
+    for (ConvexSpan::End* end : {&out.enter, &out.exit}) {
       const int root = end->t == roots.t[0] + shift ? 0 : 1;
       end->error = end->face == 0 ? roots.error(root) + shift_loss : slab_error;
     }
@@ -81,7 +81,7 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
     const Vec3 slanted = out - growth_ * axis_;
     const double slanted_size = length(slanted);
     const Vec3 normal = slanted_size > 0 ? slanted / slanted_size : axis_;
-    return {position, normal, normal, {}};
+    return {position, normal, normal};
   }
 
  private:
@@ -91,7 +91,7 @@ class PreparedCone final : public ConvexShape<PreparedCone> {
 
   static Surface flat(Vec3 position, Vec3 center, Vec3 normal) {
     position -= dot(position - center, normal) * normal;
-    return {position, normal, normal, {}};
+    return {position, normal, normal};
   }
 
   bool clip_to_slab(double h, double climb, double shift, ConvexSpan& out) const {

@@ -47,7 +47,7 @@ class PreparedDisc final : public Shape {
   }
 
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
-    return {ray.at(crossing.t), normal_, normal_, {}};
+    return {ray.at(crossing.t), normal_, normal_};
   }
 
  private:

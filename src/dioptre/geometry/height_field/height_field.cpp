@@ -96,8 +96,12 @@ class PreparedHeightField final : public Shape {
       const Vec3 mixed = land_.smooth_normal_at(s.position.x, s.position.z);
       if (mixed != Vec3{}) s.shading_normal = mixed;
     }
-    s.uv = {s.position.x, s.position.z};
     return s;
+  }
+
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    const Vec3 p = ray.at(crossing.t);
+    return {p.x, p.z};
   }
 
  private:

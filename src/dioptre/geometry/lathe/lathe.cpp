@@ -82,9 +82,14 @@ class PreparedLathe final : public Shape {
     s.normal = size > 0 ? s.normal / size : Vec3{0, 1, 0};
     if ((dot(s.normal, ray.direction) > 0) == crossing.entering) s.normal = -s.normal;
     s.shading_normal = s.normal;
-    const double turn = std::atan2(s.position.z, s.position.x) / (2 * std::numbers::pi);
-    s.uv = {turn < 0 ? turn + 1 : turn, piece.v_begin + crossing.u * (piece.v_end - piece.v_begin)};
     return s;
+  }
+
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    const LatheCurve& piece = curves_[crossing.face];
+    const Vec3 p = ray.at(crossing.t);
+    const double turn = std::atan2(p.z, p.x) / (2 * std::numbers::pi);
+    return {turn < 0 ? turn + 1 : turn, piece.v_begin + crossing.u * (piece.v_end - piece.v_begin)};
   }
 
  private:

@@ -91,12 +91,15 @@ class PreparedMesh final : public Shape {
       };
       s.shading_normal = smooth_normal({unit(0), unit(1), unit(2)}, v, w, s.normal);
     }
-    s.uv = {v, w};
-    if (!data_->uvs.empty()) {
-      const auto& uvs = data_->uvs;
-      s.uv = (1 - v - w) * uvs[face.uvs[0]] + v * uvs[face.uvs[1]] + w * uvs[face.uvs[2]];
-    }
     return s;
+  }
+
+  Vec2 uv(const Ray&, const Crossing& crossing) const override {
+    const double v = crossing.u, w = crossing.v;
+    const auto& uvs = data_->uvs;
+    if (uvs.empty()) return {v, w};
+    const auto& corners = data_->faces[crossing.face].uvs;
+    return (1 - v - w) * uvs[corners[0]] + v * uvs[corners[1]] + w * uvs[corners[2]];
   }
 
  private:

@@ -74,7 +74,7 @@ class PreparedOvus final : public ConvexShape<PreparedOvus> {
     distance(p / scale_, normal);
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    return {p, normal, normal, {}};
+    return {p, normal, normal};
   }
 
  private:

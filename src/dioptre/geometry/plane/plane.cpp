@@ -41,7 +41,7 @@ class PreparedPlane final : public ConvexShape<PreparedPlane> {
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     Vec3 position = ray.at(crossing.t);
     position -= (dot(position, normal_) - distance_) * normal_;
-    return {position, normal_, normal_, {}};
+    return {position, normal_, normal_};
   }
 
  private:

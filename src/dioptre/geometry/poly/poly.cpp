@@ -85,7 +85,7 @@ class PreparedPoly final : public Shape {
     Vec3 normal = jet(position).gradient;
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    return {position, normal, normal, {}};
+    return {position, normal, normal};
   }
 
  private:

@@ -44,7 +44,7 @@ class PreparedQuadric final : public Shape {
     Vec3 normal = gradient(position);
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    return {position, normal, normal, {}};
+    return {position, normal, normal};
   }
 
  private:

@@ -85,24 +85,32 @@ class PreparedSor final : public Shape {
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
     Surface s;
     s.position = ray.at(crossing.t);
-    const double turn = std::atan2(s.position.z, s.position.x) / (2 * std::numbers::pi);
     if (crossing.face < kFirstSegment) {
       const bool high = crossing.face == kHighDisc;
       s.position.y = scale_ * (high ? segments_.back().high : segments_.front().low);
       s.normal = {0, high ? 1.0 : -1.0, 0};
-      const double share = std::hypot(s.position.x, s.position.z) / scale_ / disc_radius(high);
-      s.uv.y = high ? 1 - std::min(share, 1.0) : std::min(share, 1.0);
     } else {
       const SorSegment& segment = segments_[crossing.face - kFirstSegment];
       s.normal = {2 * s.position.x / scale_, -segment.slope(crossing.u), 2 * s.position.z / scale_};
       const double size = length(s.normal);
       s.normal = size > 0 ? s.normal / size : Vec3{0, 1, 0};
       if ((dot(s.normal, ray.direction) > 0) == crossing.entering) s.normal = -s.normal;
-      s.uv.y = (crossing.face - kFirstSegment + crossing.u) / static_cast<double>(segments_.size());
     }
-    s.uv.x = turn < 0 ? turn + 1 : turn;
     s.shading_normal = s.normal;
     return s;
+  }
+
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    const Vec3 p = ray.at(crossing.t);
+    const double turn = std::atan2(p.z, p.x) / (2 * std::numbers::pi);
+    const double u = turn < 0 ? turn + 1 : turn;
+    if (crossing.face >= kFirstSegment) {
+      const double before = crossing.face - kFirstSegment;
+      return {u, (before + crossing.u) / static_cast<double>(segments_.size())};
+    }
+    const bool high = crossing.face == kHighDisc;
+    const double share = std::min(std::hypot(p.x, p.z) / scale_ / disc_radius(high), 1.0);
+    return {u, high ? 1 - share : share};
   }
 
  private:

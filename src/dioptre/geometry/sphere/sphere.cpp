@@ -57,7 +57,11 @@ class PreparedSphere final : public ConvexShape<PreparedSphere> {
     Vec3 normal = ray.at(crossing.t) - center_;
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    return {center_ + radius_ * normal, normal, normal, longitude_latitude(normal)};
+    return {center_ + radius_ * normal, normal, normal};
+  }
+
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    return longitude_latitude(surface(ray, crossing).normal);
   }
 
  private:

@@ -93,7 +93,7 @@ class PreparedSphereSweep final : public Shape {
       size = length(normal);
     }
     normal = normal / size;
-    return {p, normal, normal, {}};
+    return {p, normal, normal};
   }
 
  private:

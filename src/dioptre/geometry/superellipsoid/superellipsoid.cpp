@@ -59,7 +59,7 @@ class PreparedSuperellipsoid final : public Shape {
     double size = max_component(abs(normal));
     if (!(size > 0) || !std::isfinite(size)) normal = p, size = max_component(abs(p));
     normal = size > 0 ? normalize(normal / size) : Vec3{0, 0, 1};
-    return {p, normal, normal, {}};
+    return {p, normal, normal};
   }
 
  private:

@@ -52,10 +52,15 @@ class PreparedTorus final : public Shape {
     Vec3 normal{p.x * outwards, p.y, p.z * outwards};
     const double size = length(normal);
     normal = size > 0 ? normal / size : Vec3{0, 1, 0};
-    // u goes around the axis from -x by +z, v around the tube from the inner equator by below.
-    const double u = 0.5 - std::atan2(p.z, p.x) / (2 * std::numbers::pi);
-    const double v = 0.5 + std::atan2(p.y, off) / (2 * std::numbers::pi);
-    return {p, normal, normal, {u, v}};
+    return {p, normal, normal};
+  }
+
+  /// u goes around the axis from -x by +z, v around the tube from the inner equator by below.
+  Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
+    const Vec3 p = ray.at(crossing.t);
+    const double off = std::hypot(p.x, p.z) - scale_ * major_;
+    return {0.5 - std::atan2(p.z, p.x) / (2 * std::numbers::pi),
+            0.5 + std::atan2(p.y, off) / (2 * std::numbers::pi)};
   }
 
  private:

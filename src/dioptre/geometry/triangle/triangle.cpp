@@ -56,8 +56,11 @@ class PreparedTriangle final : public Shape {
     s.position = a + crossing.u * (b - a) + crossing.v * (c - a);
     s.normal = s.shading_normal = normal_;
     if (smooth_) s.shading_normal = smooth_normal(normals_, crossing.u, crossing.v, normal_);
-    s.uv = {crossing.u, crossing.v};
     return s;
+  }
+
+  Vec2 uv(const Ray&, const Crossing& crossing) const override {
+    return {crossing.u, crossing.v};
   }
 
  private:

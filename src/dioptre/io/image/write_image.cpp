@@ -50,13 +50,15 @@ std::string ppm_bytes(const EncodedImage& image) {
   std::string out = "P6\n" + std::to_string(image.width) + " " + std::to_string(image.height) +
                     "\n" + std::to_string(top) + "\n";
   const std::size_t pixels = std::size_t{image.width} * image.height;
-  out.reserve(out.size() + pixels * 6);
+  const bool wide = image.bits > 8;
+  std::size_t end = out.size();
+  out.resize(end + pixels * (wide ? 6 : 3));
   const bool grey = image.channels < 3;
   for (std::size_t at = 0; at < pixels; ++at) {
     for (std::uint32_t channel = 0; channel < 3; ++channel) {
       const std::uint16_t value = image.values[at * image.channels + (grey ? 0 : channel)];
-      if (image.bits > 8) out.push_back(static_cast<char>(value >> 8));
-      out.push_back(static_cast<char>(value & 255));
+      if (wide) out[end++] = static_cast<char>(value >> 8);
+      out[end++] = static_cast<char>(value & 255);
     }
   }
   return out;
