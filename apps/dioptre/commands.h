@@ -22,6 +22,8 @@ std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
 int render_command(const AppSettings& settings);
 /// Prints the scene as JSON, to the output file or the standard output.
 int dump_command(const AppSettings& settings);
+/// Renders a scene with each accelerator and reports what each one does.
+int compare_command(const AppSettings& settings);
 /// Prints how much there is in a scene.
 int info_command(const AppSettings& settings);
 

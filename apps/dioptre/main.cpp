@@ -18,6 +18,7 @@ void print_help() {
       ", a ray tracer for exact solids\n\n"
       "  dioptre [render] SCENE [OPTION...]   render a POV-Ray 3.7 scene or a .json dump of one\n"
       "  dioptre dump SCENE [-o FILE]         print the scene as JSON\n"
+      "  dioptre compare SCENE [OPTION...]    compare the accelerators on a scene\n"
       "  dioptre info SCENE                   print how much there is in a scene\n"
       "  dioptre --version | --help\n\n"
       "POV-Ray's switches (+W640 +H480 +A0.1 -D), INI names (Width=640) and INI files\n"
@@ -38,7 +39,8 @@ int run(std::vector<std::string> arguments) {
     const std::string first = arguments.front();
     const bool alone = arguments.size() == 1;
     if (alone && (first == "-h" || first == "-?" || first == "+h")) return print_help(), kSuccess;
-    const bool named = first == "render" || first == "dump" || first == "info";
+    const bool named = first == "render" || first == "compare" || first == "dump" || first == "info";
+    if (first == "compare") command = compare_command;
     if (first == "dump") command = dump_command;
     if (first == "info") command = info_command;
     if (named) arguments.erase(arguments.begin());

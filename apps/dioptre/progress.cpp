@@ -6,6 +6,19 @@
 #include <cstdio>
 
 namespace dioptre::app {
+namespace {
+
+using Count = unsigned long long;
+
+/// For the standard error: `form` with the numbers of rays of each kind.
+std::string by_kind(const char* form, const RayCounts& rays) {
+  char text[256];
+  std::snprintf(text, sizeof text, form, Count{rays.camera}, Count{rays.reflected},
+                Count{rays.transmitted}, Count{rays.shadow});
+  return text;
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(const std::string& kind) {
   if (kind == "none") {
@@ -32,27 +45,47 @@ void ProgressLine::update(double done, std::uint64_t rays) {
 }
 
 void ProgressLine::print(double done, std::uint64_t rays) {
+  if (kind_ == Kind::kJson) return print_json(done, rays);
   const double took = seconds();
   const double left = done > 0 ? took / done * (1 - done) : 0;
   const double rate = took > 0 ? static_cast<double>(rays) / took : 0;
-  if (kind_ == Kind::kJson) {
-    std::fprintf(stderr, "{\"done\":%.4f,\"rays\":%llu,\"seconds\":%.3f,\"seconds_left\":%.3f}\n",
-                 done, static_cast<unsigned long long>(rays), took, left);
-  } else {
-    const bool terminal = kind_ == Kind::kTerminal;
-    std::fprintf(stderr, "%s%5.1f %%  %.2f million rays/s  %.0f s left%s", terminal ? "\r" : "",
-                 100 * done, rate / 1e6, left, terminal ? "   " : "\n");
-  }
+  const bool terminal = kind_ == Kind::kTerminal;
+  std::fprintf(stderr, "%s%5.1f %%  %.2f million rays/s  %.0f s left%s", terminal ? "\r" : "",
+               100 * done, rate / 1e6, left, terminal ? "   " : "\n");
   std::fflush(stderr);
 }
 
-void ProgressLine::finish(std::uint64_t rays) {
-  if (kind_ == Kind::kNone) return;
-  if (kind_ == Kind::kJson) return print(1, rays);
+void ProgressLine::print_json(double done, std::uint64_t rays, const std::string& more) const {
   const double took = seconds();
-  std::fprintf(stderr, "%s%llu rays in %.2f s%s\n", kind_ == Kind::kTerminal ? "\r" : "",
-               static_cast<unsigned long long>(rays), took,
-               kind_ == Kind::kTerminal ? "                              " : "");
+  const double left = done > 0 ? took / done * (1 - done) : 0;
+  std::fprintf(stderr, "{\"done\":%.4f,\"rays\":%llu,\"seconds\":%.3f,\"seconds_left\":%.3f%s}\n",
+               done, Count{rays}, took, left, more.c_str());
+}
+
+void ProgressLine::clear() const {
+  if (kind_ == Kind::kTerminal) std::fprintf(stderr, "\r%60s\r", "");
+}
+
+void ProgressLine::finish(const RenderResult& result) {
+  if (kind_ == Kind::kNone) return;
+  const auto share = result.intersection_share();
+  const Count rays = result.rays.total();
+  if (kind_ == Kind::kJson) {
+    const char* const form =
+        ",\"camera_rays\":%llu,\"reflected_rays\":%llu,\"transmitted_rays\":%llu,"
+        "\"shadow_rays\":%llu";
+    std::string more = by_kind(form, result.rays);
+    if (share) more += ",\"intersection_share\":" + std::to_string(*share);
+    return print_json(1, rays, more);
+  }
+  const double took = seconds();
+  const std::string kinds =
+      by_kind("%llu camera, %llu reflected, %llu transmitted, %llu shadow", result.rays);
+  std::fprintf(stderr, "%s%llu rays in %.2f s: %s\n", kind_ == Kind::kTerminal ? "\r" : "", rays,
+               took, kinds.c_str());
+  if (!share) return;
+  std::fprintf(stderr, "%.2f million rays/s, %.0f %% of the time in intersection\n",
+               took > 0 ? static_cast<double>(rays) / took / 1e6 : 0.0, 100 * *share);
 }
 
 }  // namespace dioptre::app

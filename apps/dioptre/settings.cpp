@@ -124,6 +124,11 @@ Result<void> progress(AppSettings& settings, Value text) {
   return expected("auto, plain, json or none", text);
 }
 
+Result<void> accelerator(AppSettings& settings, Value value) {
+  settings.accelerator_is_named = true;
+  return text<&AppSettings::accelerator>(settings, value);
+}
+
 using Set = Result<void> (*)(AppSettings&, Value);
 struct Option {
   const char* name;
@@ -134,7 +139,7 @@ constexpr double kBig = 2147483647;
 
 /// In alphabetical order.
 const Option kOptions[] = {
-    {"Accelerator", text<&S::accelerator>},
+    {"Accelerator", accelerator},
     {"All_Console", consoles},
     {"Antialias", flag<&S::antialias>},
     {"Antialias_Depth", whole<1.0, 9.0, &S::antialias_depth>},
@@ -182,6 +187,9 @@ const Option kOptions[] = {
     {"Pre_Scene_Command", refuse_command},
     {"Progress", progress},
     {"Quality", whole<0.0, 11.0, &S::quality>},
+    {"Report_Csv", text<&S::csv_report>},
+    {"Report_Html", text<&S::html_report>},
+    {"Report_Json", text<&S::json_report>},
     {"Sampling_Method", whole<1.0, 2.0, &S::sampling_method>},
     {"Start_Column", number<0.0, kBig, &S::start_column>},
     {"Start_Row", number<0.0, kBig, &S::start_row>},

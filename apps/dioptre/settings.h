@@ -42,7 +42,8 @@ struct AppSettings {
 
   std::uint32_t quality = 9;
   std::uint32_t threads = 0;
-  std::string accelerator = "bvh";
+  std::string accelerator = "bvh";   ///< for compare several, with commas in between
+  bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
 
   double clock = 0;
@@ -67,6 +68,9 @@ struct AppSettings {
   std::uint64_t max_scene_bytes = 0;  ///< 0: half of the machine's memory, at most 8 GiB
   double max_read_seconds = 3600;     ///< 0: no limit
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  ///< of the picture
+
+  /// Where the commands that report about a scene write; empty: nowhere.
+  std::string csv_report, html_report, json_report;
 
   std::uint32_t ini_depth = 0;  ///< how many INI files are being read, one within the other
   bool operator==(const AppSettings&) const = default;

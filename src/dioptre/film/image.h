@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "dioptre/core/color.h"
@@ -21,6 +22,13 @@ struct Image {
   const Color& at(std::uint32_t x, std::uint32_t y) const {
     return pixels[std::size_t{y} * width + x];
   }
+};
+
+/// What is told of each pixel beside its colour, rows from top to bottom.
+struct ImageLayer {
+  std::string name;
+  std::string channels;  ///< a letter for each value of a pixel: "RGB" is light, "Z" a distance
+  std::vector<float> values;  ///< those of one pixel stand together
 };
 
 /// A picture as the integers that a file holds, rows from top to bottom.

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "dioptre/accel/accelerator.h"
+#include "dioptre/compare/ray_sample.h"
+#include "dioptre/render/render_scene.h"
+
+namespace dioptre {
+
+/// What walks through a structure came to.
+struct Walks {
+  WalkCost cost;
+  std::uint64_t answers = 0;  ///< a digest of what each ray met, and where
+};
+
+/// Asks what each ray meets, through a structure over the items of the scene.
+Walks walk_all(const RenderScene& scene, const Accelerator& structure,
+               std::span<const SampledRay> rays);
+
+/// The time for one of the rays, in nanoseconds: the mean over all of them, walked over and over
+/// until there is something to measure.
+double time_walks(const RenderScene& scene, const Accelerator& structure,
+                  std::span<const SampledRay> rays);
+
+}  // namespace dioptre
