@@ -25,6 +25,10 @@ constexpr OwnOption kOwnOptions[] = {
     {"--accelerator", "NAME", "Accelerator", "how rays find objects"},
     {"--accel", "NAME", "Accelerator", "the same"},
     {"--integrator", "NAME", "Integrator", "how light is computed"},
+    {"--attenuation", "K", "Attenuation", "of mirrored and refracted rays by length; or KR,KT"},
+    {"--layers", "NAMES", "Layers", "terms, cost, all or single ones, in the .exr"},
+    {"--terms", nullptr, "Terms", "write Whitted's five terms as PNGs beside the image"},
+    {"--heatmap", "NAMES", "Heatmap", "write what pixels cost as a PNG: rays, steps, tests, ..."},
     {"--progress", "KIND", "Progress", "auto, plain, json or none"},
     {"--csv", "FILE", "Report_Csv", "what compare found, as a table; - is the standard output"},
     {"--html", "FILE", "Report_Html", "the same as a page"},
@@ -82,11 +86,13 @@ tl::expected<void, UsageError> read_own(AppSettings& settings,
   for (const OwnOption& option : kOwnOptions) {
     names.emplace_back(option.name);
     if (name != option.name) continue;
-    if (equals == std::string::npos && at + 1 == arguments.size()) {
+    const bool apart = option.value && equals == std::string::npos;
+    if (apart && at + 1 == arguments.size()) {
       return misuse(name + " needs a value: " + option.value);
     }
-    const std::string value =
-        equals != std::string::npos ? argument.substr(equals + 1) : arguments[++at];
+    std::string value = "on";
+    if (apart) value = arguments[++at];
+    if (equals != std::string::npos) value = argument.substr(equals + 1);
     const Result<void> applied = apply_own(settings, name, option, value);
     if (!applied) return misuse(name + ": " + applied.error().message);
     return {};
@@ -142,7 +148,8 @@ tl::expected<void, UsageError> read_arguments(AppSettings& settings,
 std::string own_options_help() {
   std::string out;
   for (const OwnOption& option : kOwnOptions) {
-    std::string line = std::string("  ") + option.name + " " + option.value;
+    std::string line = std::string("  ") + option.name;
+    if (option.value) line += std::string(" ") + option.value;
     line.resize(std::max<std::size_t>(line.size() + 2, 28), ' ');
     out += line + option.help + "\n";
   }

@@ -37,14 +37,14 @@ int render_frame(const AppSettings& settings, std::int64_t frame) {
   RenderContext context;
   context.cancel = &stop_asked;
   context.progress = [&](const RenderProgress& p) { line.update(p.done, p.rays.total()); };
-  const auto result =
+  auto result =
       render_image(loaded->scene, compile_options(settings), render_options(settings), context);
   if (!result) return report_render_failure(*loaded, result.error().message);
   if (result->cancelled) return report_stop();
   line.finish(*result);
   if (!settings.output_to_file) return kSuccess;
-  const std::string path = output_path(settings, frame);
-  const auto saved = save_image(settings, path, result->image, loaded->scene.settings);
+  const auto saved = save_render(settings, output_path(settings, frame), std::move(*result),
+                                 loaded->scene.settings);
   return saved ? kSuccess : report_error(saved.error().message);
 }
 
@@ -59,6 +59,10 @@ int render_command(const AppSettings& settings) {
   if (frames.first > frames.last) {
     return report_error("there is no frame to render: the first would be " +
                         std::to_string(frames.first) + ", the last " + std::to_string(frames.last));
+  }
+  if (settings.output_to_file) {
+    const auto writable = check_output(settings, output_path(settings, frames.first));
+    if (!writable) return report_error(writable.error().message);
   }
   for (std::int64_t frame = frames.first; frame <= frames.last; frame += frames.step) {
     const int code = render_frame(settings, frame);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "save.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "dioptre/film/display.h"
 #include "dioptre/io/image/write_image.h"
+#include "side_images.h"
 
 namespace dioptre::app {
 namespace {
@@ -40,15 +43,28 @@ ImageFormat format_of(char type) {
   }
 }
 
-}  // namespace
+LayerSet kind_of(const ImageLayer& layer) {
+  LayerSet set;
+  for (const LayerInfo& info : layer_infos()) {
+    if (info.name == layer.name) set.add(info.kind);
+  }
+  return set;
+}
 
+std::vector<ImageLayer> only(LayerSet wanted, std::vector<ImageLayer> layers) {
+  std::erase_if(layers, [&](const ImageLayer& l) { return !wanted.has_any(kind_of(l)); });
+  return layers;
+}
+
+/// `layers` are linear.
 Result<void> save_image(const AppSettings& settings, const std::string& path, const Image& image,
-                        const Settings& scene_settings) {
+                        std::vector<ImageLayer> layers, const Settings& scene_settings) {
   const char type = type_of(settings, path);
   if (type == 'E' || type == 'H') {
     Image linear = to_linear(image, scene_settings);
     if (!settings.alpha) linear.alpha.clear();
-    return type == 'E' ? write_exr(path, linear, settings.bits == 16) : write_hdr(path, linear);
+    if (type == 'H') return write_hdr(path, linear);
+    return write_exr(path, linear, settings.bits == 16, only(settings.layers, std::move(layers)));
   }
   const bool deep = type == 'N' || type == 'P';
   DisplayOptions display;
@@ -59,6 +75,34 @@ Result<void> save_image(const AppSettings& settings, const std::string& path, co
   WriteImageOptions options;
   if (settings.compression > 1) options.jpeg_quality = static_cast<int>(settings.compression);
   return write_image(path, encode(image, scene_settings, display), format_of(type), options);
+}
+
+}  // namespace
+
+Result<void> check_output(const AppSettings& settings, const std::string& path) {
+  if (!settings.layers.empty() && type_of(settings, path) != 'E') {
+    return fail("layers need an OpenEXR file; name the output .exr or ask for +FE");
+  }
+  if ((settings.term_images || !settings.heat_maps.empty()) && path == "-") {
+    return fail("terms and heat maps are files beside the output; give that a name");
+  }
+  return {};
+}
+
+Result<void> save_render(const AppSettings& settings, const std::string& path, RenderResult result,
+                         const Settings& scene_settings) {
+  to_linear(result.layers, result.image, scene_settings);
+  const auto saved = save_image(settings, path, result.image, result.layers, scene_settings);
+  if (!saved) return saved;
+  for (const ImageLayer& layer : result.layers) {
+    const LayerSet kind = kind_of(layer);
+    const bool as_term = settings.term_images && kind.has_any(LayerSet::terms());
+    if (!as_term && !settings.heat_maps.has_any(kind)) continue;
+    const auto beside = as_term ? save_term(settings, path, layer, result.image, scene_settings)
+                                : save_heat_map(path, layer, result.image);
+    if (!beside) return beside;
+  }
+  return {};
 }
 
 }  // namespace dioptre::app

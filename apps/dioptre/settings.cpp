@@ -129,6 +129,27 @@ Result<void> accelerator(AppSettings& settings, Value value) {
   return text<&AppSettings::accelerator>(settings, value);
 }
 
+/// One number for mirrored and transmitted rays, or one for each.
+Result<void> attenuation(AppSettings& settings, Value text) {
+  const std::size_t comma = text.find(',');
+  const std::string second = comma == std::string::npos ? text : text.substr(comma + 1);
+  double reflected = 0, transmitted = 0;
+  if (auto read = read_number(text.substr(0, comma), 0, 1e300, reflected); !read) return read;
+  if (auto read = read_number(second, 0, 1e300, transmitted); !read) return read;
+  settings.reflected_attenuation = reflected;
+  settings.transmitted_attenuation = transmitted;
+  return {};
+}
+
+template <auto member>
+Result<void> layers(AppSettings& settings, Value names) {
+  const bool maps = member == &AppSettings::heat_maps;
+  const auto read = read_layers(names, maps ? LayerSet::costs() : LayerSet::all());
+  if (!read) return tl::unexpected(read.error());
+  settings.*member = *read;
+  return {};
+}
+
 using Set = Result<void> (*)(AppSettings&, Value);
 struct Option {
   const char* name;
@@ -145,6 +166,7 @@ const Option kOptions[] = {
     {"Antialias_Depth", whole<1.0, 9.0, &S::antialias_depth>},
     {"Antialias_Gamma", number<0.01, 100.0, &S::antialias_gamma>},
     {"Antialias_Threshold", number<0.0, 3.0, &S::antialias_threshold>},
+    {"Attenuation", attenuation},
     {"Bits_Per_Color", whole<1.0, 16.0, &S::bits>},
     {"Clock", number<-1e300, 1e300, &S::clock>},
     {"Compression", whole<0.0, 100.0, &S::compression>},
@@ -159,6 +181,7 @@ const Option kOptions[] = {
     {"Final_Clock", number<-1e300, 1e300, &S::final_clock>},
     {"Final_Frame", whole<-1.0, kBig, &S::final_frame>},
     {"Frame_Step", whole<1.0, kBig, &S::frame_step>},
+    {"Heatmap", layers<&S::heat_maps>},
     {"Height", whole<1.0, kBig, &S::height>},
     {"Include_Header", text<&S::include_header>},
     {"Initial_Clock", number<-1e300, 1e300, &S::initial_clock>},
@@ -167,6 +190,7 @@ const Option kOptions[] = {
     {"Integrator", text<&S::integrator>},
     {"Jitter", flag<&S::jitter>},
     {"Jitter_Amount", number<0.0, 1e6, &S::jitter_amount>},
+    {"Layers", layers<&S::layers>},
     {"Library_Path", library_path},
     {"Max_Array_Elements", whole<0.0, 4e9, &S::max_array_elements>},
     {"Max_Nesting", whole<1.0, 1e5, &S::max_nesting>},
@@ -195,6 +219,7 @@ const Option kOptions[] = {
     {"Start_Row", number<0.0, kBig, &S::start_row>},
     {"Subset_End_Frame", number<0.0, kBig, &S::subset_end>},
     {"Subset_Start_Frame", number<0.0, kBig, &S::subset_start>},
+    {"Terms", flag<&S::term_images>},
     {"User_Abort_Command", refuse_command},
     {"Verbose", flag<&S::verbose>},
     {"Version", number<0.0, 3.85, &S::version>},

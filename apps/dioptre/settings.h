@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dioptre/core/result.h"
+#include "dioptre/film/layers.h"
 
 namespace dioptre::app {
 
@@ -31,6 +32,9 @@ struct AppSettings {
   bool dither = false;
   double file_gamma = 0;  ///< 0: the sRGB curve
   std::uint32_t compression = 0;
+  LayerSet layers;           ///< in the picture's file
+  LayerSet heat_maps;        ///< beside the picture
+  bool term_images = false;  ///< beside the picture
 
   bool antialias = false;
   std::uint32_t sampling_method = 1;
@@ -45,6 +49,7 @@ struct AppSettings {
   std::string accelerator = "bvh";   ///< for compare several, with commas in between
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
+  double reflected_attenuation = 0, transmitted_attenuation = 0;  ///< see LengthAttenuation
 
   double clock = 0;
   std::int32_t initial_frame = 1;

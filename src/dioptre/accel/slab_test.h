@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -48,10 +49,12 @@ class SlabPair {
 /// within a face, counts as meeting.
 class SlabRay {
  public:
-  explicit SlabRay(const Ray& ray) : origin_(ray.origin) {
-    for (int axis = 0; axis < 3; ++axis) {
-      inverse_[axis] = 1 / ray.direction[axis];
-      const bool backward = std::signbit(ray.direction[axis]);
+  explicit SlabRay(const Ray& ray) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double origin = ray.origin[axis], direction = ray.direction[axis];
+      origin_[axis] = Lanes{origin, origin};
+      inverse_[axis] = 1 / Lanes{direction, direction};
+      const bool backward = std::signbit(direction);
       near_[axis] = backward ? axis + 3 : axis;
       far_[axis] = backward ? axis : axis + 3;
     }
@@ -67,51 +70,51 @@ class SlabRay {
 
   /// Cuts `range` to a stretch that holds all of the box; false if nothing is left.
   bool clip(const SlabBox& box, Interval& range) const {
-    const double near = latest(time(box, 0, near_), time(box, 1, near_), time(box, 2, near_));
-    const double far = -latest(-time(box, 0, far_), -time(box, 1, far_), -time(box, 2, far_));
-    const double begin = near * (1 - std::copysign(kMargin, near));
-    const double end = far * (1 + std::copysign(kMargin, far));
-    if (begin > range.min) range.min = begin;
-    if (end < range.max) range.max = end;
+    const auto time = [&](std::size_t axis, const Sides& side) {
+      return (box.plane[side[axis]] - origin_[axis][0]) * inverse_[axis][0];
+    };
+    const double near =
+        later(time(2, near_), later(time(1, near_), later(time(0, near_), range.min)));
+    const double far =
+        sooner(time(2, far_), sooner(time(1, far_), sooner(time(0, far_), range.max)));
+    if (near > range.min) range.min = std::max(range.min, near - std::fabs(near) * kMargin);
+    if (far < range.max) range.max = std::min(range.max, far + std::fabs(far) * kMargin);
     return range.min <= range.max;
   }
 
   /// The same for two boxes: bit 0 says that the ray meets the first, bit 1 the second.
   unsigned meets(const SlabPair& pair, const Interval& range, std::array<double, 2>& entry) const {
-    using Lanes = SlabPair::Lanes;
-    const auto time = [&](int axis, const std::array<int, 3>& side) {
-      return (pair.plane_[static_cast<std::size_t>(side[axis])] - origin_[axis]) * inverse_[axis];
+    const auto time = [&](std::size_t axis, const Sides& side) {
+      return (pair.plane_[side[axis]] - origin_[axis]) * inverse_[axis];
     };
-    // As in latest(): a lane that is not a number loses every comparison and does not count.
-    const auto later = [](Lanes a, Lanes b) { return a > b ? a : b; };
-    const auto sooner = [](Lanes a, Lanes b) { return a < b ? a : b; };
-    const Lanes lowest = {-kInfinity, -kInfinity}, highest = {kInfinity, kInfinity};
-    const Lanes near = later(time(2, near_), later(time(1, near_), later(time(0, near_), lowest)));
-    const Lanes far = sooner(time(2, far_), sooner(time(1, far_), sooner(time(0, far_), highest)));
-    const Lanes less = {1 - kMargin, 1 - kMargin}, more = {1 + kMargin, 1 + kMargin};
-    const Lanes begin = near * (near > 0 ? less : more);
-    const Lanes end = far * (far > 0 ? more : less);
-    const Lanes first = later(begin, Lanes{range.min, range.min});
-    const Lanes last = sooner(end, Lanes{range.max, range.max});
-    entry = {first[0], first[1]};
-    return unsigned{first[0] <= last[0]} | unsigned{first[1] <= last[1]} << 1;
+    const Lanes first = {range.min, range.min}, last = {range.max, range.max};
+    const Lanes near = later(time(2, near_), later(time(1, near_), later(time(0, near_), first)));
+    const Lanes far = sooner(time(2, far_), sooner(time(1, far_), sooner(time(0, far_), last)));
+    const Lanes begin = near - absolute(near) * kMargin, end = far + absolute(far) * kMargin;
+    entry = {begin[0], begin[1]};
+    const auto met = begin <= end;
+    return static_cast<unsigned>(met[0] & 1) | static_cast<unsigned>(met[1] & 2);
   }
 
  private:
+  using Lanes = SlabPair::Lanes;
+  using Sides = std::array<std::size_t, 3>;
   static constexpr double kMargin = 4 * std::numeric_limits<double>::epsilon();
 
-  double time(const SlabBox& box, int axis, const std::array<int, 3>& side) const {
-    return (box.plane[static_cast<std::size_t>(side[axis])] - origin_[axis]) * inverse_[axis];
+  // Of a time that is not a number and a bound, the bound counts. A box behind an infinite time is
+  // not met: its end is not a number, or no later than its beginning.
+  template <class T>
+  static T later(T time, T bound) {
+    return time > bound ? time : bound;
   }
-  /// The greatest of three numbers; those that are not numbers do not count.
-  static double latest(double a, double b, double c) {
-    double t = a > -kInfinity ? a : -kInfinity;
-    t = b > t ? b : t;
-    return c > t ? c : t;
+  template <class T>
+  static T sooner(T time, T bound) {
+    return time < bound ? time : bound;
   }
+  static Lanes absolute(Lanes a) { return a > -a ? a : -a; }
 
-  Vec3 origin_, inverse_;
-  std::array<int, 3> near_{}, far_{};
+  std::array<Lanes, 3> origin_, inverse_;
+  Sides near_, far_;  ///< which planes the ray meets first and last
 };
 
 }  // namespace dioptre

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,6 @@ namespace dioptre::codecs {
 
 Result<DecodedImage> decode_tiff(std::string_view bytes, std::uint64_t max_pixels);
 Result<DecodedImage> decode_exr(std::string_view bytes, std::uint64_t max_pixels);
-Result<std::string> encode_exr(const Image& linear, bool half);
+Result<std::string> encode_exr(const Image& linear, std::span<const ImageLayer> layers, bool half);
 
 }  // namespace dioptre::codecs

@@ -132,7 +132,7 @@ TEST(Reports, TheTableFitsATerminal) {
   const std::string table = table_report(compared());
   for (std::size_t begin = 0, end; begin < table.size(); begin = end + 1) {
     end = table.find('\n', begin);
-    EXPECT_LE(end - begin, 88u) << table.substr(begin, end - begin);
+    EXPECT_LE(end - begin, 80u) << table.substr(begin, end - begin);
   }
   for (const std::string_view name : accelerator_names()) {
     EXPECT_THAT(table, HasSubstr("\n" + std::string(name)));

@@ -11,7 +11,7 @@ namespace dioptre {
 namespace {
 
 /// The shortest time that is measured.
-constexpr double kLeastSeconds = 0.01;
+constexpr double kLeastSeconds = 0.005;
 
 void take_in(std::uint64_t& digest, std::uint64_t answer) { digest = mix_bits(digest ^ answer); }
 

@@ -9,8 +9,8 @@
 namespace dioptre {
 namespace {
 
-std::string or_dash(const std::optional<double>& value, const char* unit) {
-  return value ? fmt::format("{:.1f}{}", *value, unit) : "-";
+std::string or_dash(const char* form, const std::optional<double>& value) {
+  return value ? fmt::format(fmt::runtime(form), *value) : "-";
 }
 
 const char* verdict(const StructureResult& each) {
@@ -19,20 +19,20 @@ const char* verdict(const StructureResult& each) {
 }
 
 std::string structures_table(const Comparison& c) {
-  std::string out =
-      fmt::format("{:<10} {:>8} {:>8} {:>8} {:>6} {:>8} {:>7} {:>8} {:>6}  {}\n", "", "build",
-                  "memory", "nodes", "listed", "trace", "speed", "render", "inter-", "image");
-  out += fmt::format("{:<10} {:>8} {:>8} {:>8} {:>6} {:>8} {:>7} {:>8} {:>6}\n", "", "ms", "KiB",
-                     "", "/item", "s", "/none", "s", "sect.");
+  constexpr const char* kHead = "{:<10} {:>8} {:>8} {:>8} {:>6} {:>7} {:>6} {:>8} {:>5} {}";
+  std::string out = fmt::format(kHead, "", "build", "memory", "nodes", "listed", "trace", "speed",
+                                "render", "inter", "image\n");
+  out += fmt::format(kHead, "", "ms", "KiB", "", "/item", "s", "/none", "s", "sect.", "\n");
   for (const StructureResult& each : c.structures) {
     const double items = static_cast<double>(std::max<std::size_t>(c.items, 1));
     std::optional<double> percent = each.intersection_share;
     if (percent) *percent *= 100;
-    out += fmt::format(
-        "{:<10} {:>8.2f} {:>8.1f} {:>8} {:>6.2f} {:>8.3f} {:>7} {:>8.3f} {:>6}  {}\n", each.name,
-        1e3 * each.build_seconds, static_cast<double>(each.size.bytes) / 1024, each.size.nodes,
-        static_cast<double>(each.size.references) / items, each.trace_seconds,
-        or_dash(c.speed(each), ""), each.render_seconds, or_dash(percent, "%"), verdict(each));
+    out += fmt::format("{:<10} {:>8.2f} {:>8.1f} {:>8} {:>6.2f} {:>7.3f} {:>6} {:>8.3f} {:>5} {}\n",
+                       each.name, 1e3 * each.build_seconds,
+                       static_cast<double>(each.size.bytes) / 1024, each.size.nodes,
+                       static_cast<double>(each.size.references) / items, each.trace_seconds,
+                       or_dash("{:.1f}", c.speed(each)), each.render_seconds,
+                       or_dash("{:.0f}%", percent), verdict(each));
   }
   return out;
 }
@@ -42,7 +42,7 @@ std::string costs_table(const Comparison& c, const std::vector<RaySort>& sorts) 
   std::string titles = fmt::format("{:<10}", ""), names = titles, out;
   for (const RaySort sort : sorts) {
     const std::string title = fmt::format("{} {} rays", c.traced(sort), name_of(sort));
-    titles += fmt::format(" |{:^31}", title);
+    titles += fmt::format(" | {:<30}", title);
     names += fmt::format(" |{:>7} {:>7} {:>7} {:>7}", "steps", "boxes", "items", "ns");
   }
   for (const StructureResult& each : c.structures) {
@@ -54,6 +54,7 @@ std::string costs_table(const Comparison& c, const std::vector<RaySort>& sorts) 
     }
     out += '\n';
   }
+  titles.erase(titles.find_last_not_of(' ') + 1);
   return titles + '\n' + names + '\n' + out;
 }
 

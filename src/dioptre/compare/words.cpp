@@ -20,49 +20,55 @@ std::string joined(const std::vector<std::string>& parts) {
   return out;
 }
 
-/// Adds "12.3 steps" or the like where the count is clearly lower than the other's.
-void add_less(std::vector<std::string>& parts, double count, double other, const char* what) {
-  if (count * kSame < other)
-    parts.push_back(fmt::format("{:.1f} {} against {:.1f}", count, what, other));
-}
+/// All that a ray looks at on the way.
+double looks(const RayCost& cost) { return cost.steps + cost.boxes; }
 
 /// What one does less of than the other.
 std::string less_work(const RayCost& cost, const RayCost& other) {
   std::vector<std::string> parts;
-  add_less(parts, cost.steps, other.steps, "steps");
-  add_less(parts, cost.boxes, other.boxes, "boxes of items");
-  add_less(parts, cost.items, other.items, "items tested");
-  if (!parts.empty()) return "it takes " + joined(parts) + " per ray";
-  return "it does no less per ray, but what it does is cheaper";
+  if (looks(cost) * kSame < looks(other)) {
+    parts.push_back(
+        fmt::format("{:.1f} steps and boxes against {:.1f}", looks(cost), looks(other)));
+  }
+  if (cost.items * kSame < other.items) {
+    parts.push_back(fmt::format("{:.2f} items against {:.2f}", cost.items, other.items));
+  }
+  if (!parts.empty()) return "a ray takes " + joined(parts);
+  return "a ray does no less, but each step costs less";
+}
+
+/// Why a structure that lists items in cells is slow; empty for no reason of that kind.
+std::string weakness_of_cells(double listed, const RayCost& cost, const RayCost& best) {
+  if (cost.steps > 3 * cost.boxes) {
+    return fmt::format("most of the {:.1f} cells on the way of a ray are empty", cost.steps);
+  }
+  if (cost.boxes > 4 * std::max(looks(best), 1.0)) {
+    return fmt::format("items crowd in few of its cells: a ray tests {:.1f} boxes", cost.boxes);
+  }
+  if (listed > 2 && cost.boxes > 2 * cost.items) {
+    return fmt::format(
+        "it lists an item {:.1f} times, and a ray tests {:.1f} boxes for {:.1f} items", listed,
+        cost.boxes, cost.items);
+  }
+  return "";
 }
 
 /// Why a structure is slow for a sort of rays, from what it does per ray.
 std::string weakness(const Comparison& c, const StructureResult& each, const RayCost& cost,
                      const RayCost& best) {
-  if (each.name == "none") return fmt::format("it tests {:.1f} boxes per ray", cost.boxes);
-  if (cost.boxes > 0 && cost.steps > 3 * cost.boxes) {
-    return fmt::format(
-        "of the {:.1f} nodes or cells on the way of a ray most are empty: they hold "
-        "{:.1f} boxes in all",
-        cost.steps, cost.boxes);
-  }
   const double listed = static_cast<double>(each.size.references) /
                         static_cast<double>(std::max<std::size_t>(c.items, 1));
-  if (cost.boxes > 2 * cost.items && listed > 2) {
-    return fmt::format(
-        "it lists each item {:.1f} times and tests {:.1f} boxes per ray for {:.1f} "
-        "items",
-        listed, cost.boxes, cost.items);
+  if (listed > 1.01) {
+    if (std::string reason = weakness_of_cells(listed, cost, best); !reason.empty()) return reason;
   }
-  if (cost.boxes > 4 * std::max(best.boxes, 1.0)) {
-    return fmt::format("items crowd in few of its cells: it tests {:.1f} boxes per ray",
-                       cost.boxes);
+  if (cost.items > 1.5 * best.items) {
+    return fmt::format("its volumes are loose: a ray tests {:.1f} items against {:.1f}", cost.items,
+                       best.items);
   }
-  if (cost.items > kSame * best.items) {
-    return fmt::format("its volumes are loose: {:.1f} items tested per ray against {:.1f}",
-                       cost.items, best.items);
+  if (looks(cost) > 1.5 * looks(best)) {
+    return fmt::format("a ray takes {:.1f} steps and boxes", looks(cost));
   }
-  return fmt::format("it takes {:.1f} steps per ray", cost.steps);
+  return "a ray takes hardly more steps than with the fastest, but dearer ones";
 }
 
 using Ranking = std::vector<const StructureResult*>;
@@ -131,14 +137,20 @@ std::string about_none(const Comparison& c) {
     least = std::min(least, *speed), most = std::max(most, *speed);
   }
   if (most == 0) return "";
+  if (most <= 1) {
+    return fmt::format(
+        "Over all rays no structure beats none: {} items are too few to save more "
+        "than the walk costs.",
+        c.items);
+  }
   if (losers.empty()) {
-    return fmt::format("Over all rays none loses to every structure, by {:.2g} to {:.2g} times.",
+    return fmt::format("Over all rays none loses to every structure, by {:.1f} to {:.1f} times.",
                        least, most);
   }
   return fmt::format(
-      "Over all rays none is as fast as {} or faster: {} items are too few to save "
-      "more than the walk costs.",
-      joined(losers), c.items);
+      "Over all rays none is as fast as {} or faster; the others gain up to {:.1f} "
+      "times.",
+      joined(losers), most);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ bool PlacedLeaf::crossings(const Ray& ray, Interval range, std::uint32_t id, Cro
 
 bool PlacedLeaf::nearest(const Ray& ray, Interval range, Crossing& out) const {
   if (!leaf_.shape->nearest(to_object(ray), range, out)) return false;
-  to_world(ray, out);
+  out.entering = out.entering != leaf_.complement;
   return true;
 }
 

@@ -40,6 +40,8 @@ class PlacedLeaf {
   /// Appends the crossings in the range, marked with `id`, and returns whether the ray is inside
   /// just after range.min. Their errors take in the rounding of the ray and of the leaf's place.
   bool crossings(const Ray& ray, Interval range, std::uint32_t id, Crossings& out) const;
+  /// The first visible crossing; its error is that of the shape alone, without the rounding of the
+  /// ray and of the leaf's place.
   bool nearest(const Ray& ray, Interval range, Crossing& out) const;
   /// The stretch of a ray in a convex leaf, as two crossings marked with `id`; false for a miss.
   bool stretch(const Ray& ray, std::uint32_t id, std::array<Crossing, 2>& ends) const;

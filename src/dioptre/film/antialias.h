@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -50,12 +51,13 @@ std::vector<std::uint8_t> pixels_to_refine(const Image& centres, const Antialias
                                            std::uint32_t end_column, std::uint32_t end_row);
 
 /// Method 1: the mean of the centre sample and a grid of depth x depth samples. `sample(x, y)`
-/// takes continuous pixel coordinates, (i + 0.5, j + 0.5) being the centre of pixel (i, j).
-template <class Sample>
-FilmSample refine_on_grid(std::uint32_t x, std::uint32_t y, FilmSample centre,
-                          const AntialiasSettings& settings, Sample&& sample) {
+/// takes continuous pixel coordinates, (i + 0.5, j + 0.5) being the centre of pixel (i, j). A Value
+/// is a FilmSample or anything that can be averaged like one.
+template <class Value, class Sample>
+Value refine_on_grid(std::uint32_t x, std::uint32_t y, const Value& centre,
+                     const AntialiasSettings& settings, Sample&& sample) {
   const std::uint32_t n = std::clamp<std::uint32_t>(settings.depth, 1, 9);
-  FilmSample sum = centre;
+  Value sum = centre;
   for (std::uint32_t j = 0; j < n; ++j) {
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t number = j * n + i;
@@ -69,24 +71,27 @@ FilmSample refine_on_grid(std::uint32_t x, std::uint32_t y, FilmSample centre,
 
 /// Method 2: the corners of a pixel and, where they differ, of its quarters, down to `depth`
 /// divisions; each square counts with the mean of its corners. Corners shared by squares of one
-/// pixel are sampled once.
+/// pixel are sampled once. Samples are FilmSamples or anything that can be averaged like one and
+/// has a `color`.
 template <class Sample>
 class CornerRefiner {
  public:
+  using Value = std::invoke_result_t<Sample&, double, double>;
+
   CornerRefiner(const AntialiasSettings& settings, Sample& sample)
       : settings_(settings),
         cells_(1u << std::clamp<std::uint32_t>(settings.depth, 1, 9)),
         sample_(sample) {}
 
   /// The value of a pixel.
-  FilmSample pixel(std::uint32_t x, std::uint32_t y) {
+  Value pixel(std::uint32_t x, std::uint32_t y) {
     x_ = x, y_ = y;
     known_.clear();
     return square(0, 0, cells_);
   }
 
  private:
-  FilmSample corner(std::uint32_t i, std::uint32_t j) {
+  Value corner(std::uint32_t i, std::uint32_t j) {
     const std::uint64_t gx = std::uint64_t{x_} * cells_ + i, gy = std::uint64_t{y_} * cells_ + j;
     const auto [place, is_new] = known_.try_emplace(j * (cells_ + 1) + i);
     if (is_new) {
@@ -101,7 +106,7 @@ class CornerRefiner {
     return place->second;
   }
 
-  bool differ(const std::array<FilmSample, 4>& c) const {
+  bool differ(const std::array<Value, 4>& c) const {
     const double inverse_gamma = 1 / settings_.gamma;
     for (int a = 0; a < 4; ++a) {
       for (int b = a + 1; b < 4; ++b) {
@@ -113,9 +118,9 @@ class CornerRefiner {
     return false;
   }
 
-  FilmSample square(std::uint32_t i, std::uint32_t j, std::uint32_t size) {
-    const std::array<FilmSample, 4> c{corner(i, j), corner(i + size, j), corner(i, j + size),
-                                      corner(i + size, j + size)};
+  Value square(std::uint32_t i, std::uint32_t j, std::uint32_t size) {
+    const std::array<Value, 4> c{corner(i, j), corner(i + size, j), corner(i, j + size),
+                                 corner(i + size, j + size)};
     if (size == 1 || !differ(c)) return (c[0] + c[1] + c[2] + c[3]) * 0.25f;
     const std::uint32_t half = size / 2;
     return (square(i, j, half) + square(i + half, j, half) + square(i, j + half, half) +
@@ -127,7 +132,7 @@ class CornerRefiner {
   std::uint32_t cells_;
   Sample& sample_;
   std::uint32_t x_ = 0, y_ = 0;
-  std::unordered_map<std::uint32_t, FilmSample> known_;
+  std::unordered_map<std::uint32_t, Value> known_;
 };
 
 }  // namespace dioptre

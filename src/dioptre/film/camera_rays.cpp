@@ -74,9 +74,10 @@ Result<CameraRays> CameraRays::prepare(const Camera& camera) {
 
 std::optional<Ray> CameraRays::ray(double x, double y, std::uint32_t width, std::uint32_t height,
                                    Vec2 lens) const {
-  const std::optional<Ray> sharp = pinhole(x / width - 0.5, 0.5 - y / height);
-  if (!sharp || !has_lens()) return sharp;
-  return through_lens(*sharp, lens);
+  const double across = x / width - 0.5, upwards = 0.5 - y / height;
+  if (!has_lens()) return pinhole(across, upwards);
+  const std::optional<Ray> sharp = pinhole(across, upwards);
+  return sharp ? through_lens(*sharp, lens) : std::nullopt;
 }
 
 /// `x` and `y` are the place on the image from its centre, in widths to the right and heights

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "dioptre/core/vec.h"
@@ -21,18 +22,20 @@ class LensSamples {
 
   /// The mean over the samples around (x, y), in continuous pixel coordinates, moved at random
   /// within a square of `spread` pixels; stops early once the mean is certain. The random numbers
-  /// follow from (x, y) alone. `sample(x, y, lens)` takes a point of the lens in [0,1)^2.
+  /// follow from (x, y) alone. `sample(x, y, lens)` takes a point of the lens in [0,1)^2 and gives
+  /// a FilmSample or something derived from it.
   template <class Sample>
-  FilmSample mean(double x, double y, double spread, Sample&& sample) const {
+  auto mean(double x, double y, double spread, Sample&& sample) const {
+    using Value = std::invoke_result_t<Sample&, double, double, Vec2>;
     const auto key = [](double v) { return static_cast<std::uint32_t>(std::lround(v * 64)); };
     const std::uint32_t kx = key(x), ky = key(y);
-    FilmSample sum{{}, 0};
+    Value sum{};
+    sum.alpha = 0;
     Color squares;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       const auto random = [&](std::uint32_t k) { return random_at(kx, ky, i, k) - 0.5; };
       const Vec2 moved{cell_.x * random(2), cell_.y * random(3)};
-      const FilmSample one =
-          sample(x + spread * random(0), y + spread * random(1), points_[i] + moved);
+      const Value one = sample(x + spread * random(0), y + spread * random(1), points_[i] + moved);
       sum = sum + one;
       squares += one.color * one.color;
       if (i + 1 >= least_ && certain(sum.color, squares, i + 1)) {

@@ -89,20 +89,27 @@ FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance) 
   return effect;
 }
 
-Color sky_radiance(const RenderScene& scene, Vec3 direction) {
-  const Atmosphere& atmosphere = scene.scene().atmosphere;
-  SkyTransmittance through(scene.scene().settings.language_version);
-  Color radiance;
-  for (const SkySphere& sky : atmosphere.sky_spheres) {
-    const auto to_sky = inverse(sky.transform);
-    const Vec3 point = to_sky ? to_sky->point(direction) : direction;
+Sky::Sky(const RenderScene& scene) : scene_(scene) {
+  for (const SkySphere& sky : scene.scene().atmosphere.sky_spheres) {
+    const Affine to_sky = inverse(sky.transform).value_or(Affine{});
     for (std::size_t i = sky.pigments.size(); i-- > 0;) {
-      const PigmentColor layer = scene.textures().pigment(sky.pigments[i], point);
-      radiance += through.to_layers() * sky.emission * layer.color * layer.opacity();
-      through.pass(layer);
+      layers_.push_back({sky.pigments[i], to_sky, sky.emission});
     }
   }
-  return radiance + through.to_background() * atmosphere.background;
+}
+
+Color Sky::radiance(Vec3 direction) const {
+  const Color background = scene_.scene().atmosphere.background;
+  if (layers_.empty()) return background;
+  SkyTransmittance through(scene_.scene().settings.language_version);
+  Color radiance;
+  for (const Layer& layer : layers_) {
+    const PigmentColor seen =
+        scene_.textures().pigment(layer.pigment, layer.to_sky.point(direction));
+    radiance += through.to_layers() * layer.emission * seen.color * seen.opacity();
+    through.pass(seen);
+  }
+  return radiance + through.to_background() * background;
 }
 
 }  // namespace dioptre

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "dioptre/core/affine.h"
 #include "dioptre/core/color.h"
 #include "dioptre/core/ray.h"
 #include "dioptre/render/render_scene.h"
@@ -19,7 +22,23 @@ constexpr double kSkyDistance = 2e10;
 /// The effect of all fogs from the ray's origin over `distance` (infinite towards the sky).
 FogEffect fog_effect(const RenderScene& scene, const Ray& ray, double distance);
 
-/// The light from where nothing is hit, by background and sky sphere.
-Color sky_radiance(const RenderScene& scene, Vec3 direction);
+/// The background and the sky spheres of a scene made ready. Immutable; the scene must outlive it.
+class Sky {
+ public:
+  explicit Sky(const RenderScene& scene);
+
+  /// The light from where nothing is hit.
+  Color radiance(Vec3 direction) const;
+
+ private:
+  struct Layer {
+    PigmentId pigment;
+    Affine to_sky;  ///< from directions in the world
+    Color emission;
+  };
+
+  const RenderScene& scene_;
+  std::vector<Layer> layers_;  ///< the one in front first
+};
 
 }  // namespace dioptre

@@ -90,10 +90,13 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
 }
 
 /// What all surfaces and media in the range leave of the light.
-Color DirectLight::through(const Light& light, const Ray& ray, Interval range,
-                           const Item*& blocker, RayLog& log) const {
+Color DirectLight::through(const Light& light, const Ray& ray, Interval range, const Item*& blocker,
+                           RayLog& log) const {
   thread_local std::vector<Hit> hits;
-  const auto reaches = [&] { return scene_.shadow_hits(ray, range, hits, blocker); };
+  if (blocker) ++log.walks.items;  // is tested before the walk
+  const auto reaches = [&] {
+    return scene_.shadow_hits(ray, range, hits, blocker, scene_.accelerator(), log.walks);
+  };
   if (!log.clock.time(reaches)) return {};
   Color through{1, 1, 1};
   for (const Hit& hit : hits) {

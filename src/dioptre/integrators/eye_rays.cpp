@@ -21,9 +21,10 @@ EyeRays::EyeRays(const RenderScene& scene, CameraRays camera, std::uint32_t widt
       height_(height) {}
 
 std::optional<Ray> EyeRays::ray(double x, double y, Vec2 lens) const {
-  auto ray = camera_.ray(x, y, width_, height_, lens);
   const NormalId bumps = scene_.scene().camera.normal;
-  if (!ray || !bumps) return ray;
+  if (!bumps) return camera_.ray(x, y, width_, height_, lens);
+  auto ray = camera_.ray(x, y, width_, height_, lens);
+  if (!ray) return ray;
   // Bumps are looked up by heights and widths from the centre, x to the right and y upwards
   // (measured).
   const Vec3 place{x / width_ - 0.5, 0.5 - y / height_, 0};

@@ -37,6 +37,7 @@ struct RayLog {
   RayCounts counts;
   RayObserver* observer = nullptr;  ///< may be none; changes nothing in the picture
   QueryClock clock;                 ///< asks what rays meet
+  WalkCost walks;                   ///< of all rays through the scene's accelerator
 };
 
 /// Computes the light that comes along a ray from the eye. Immutable; used by all threads at once.
@@ -46,9 +47,19 @@ class RayIntegrator {
   virtual Radiance radiance(const Ray& camera_ray, RayLog& log) const = 0;
 };
 
+/// How the light that a mirrored or transmitted ray brings from the surface it meets falls with its
+/// length d in scene units: by exp(-k d), as in a medium that absorbs evenly (Bouguer 1729). A ray
+/// that meets nothing brings the background as it is.
+struct LengthAttenuation {
+  double reflected = 0;    ///< k of mirrored rays, >= 0
+  double transmitted = 0;  ///< k of rays through surfaces, >= 0
+  bool operator==(const LengthAttenuation&) const = default;
+};
+
 /// Which parts of the light transport are computed.
 struct IntegratorOptions {
   std::uint32_t quality = 9;  ///< 0 to 11, as in POV-Ray's +Q: 4 adds shadows, 8 reflection
+  LengthAttenuation attenuation;
 };
 
 /// The names that make_integrator knows, the default first.

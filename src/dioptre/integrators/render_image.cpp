@@ -1,29 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/integrators/render_image.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <mutex>
+#include <type_traits>
 
 #include "dioptre/core/parallel.h"
 #include "dioptre/integrators/eye_rays.h"
+#include "dioptre/integrators/pixel_layers.h"
+#include "dioptre/integrators/term_sample.h"
 
 namespace dioptre {
 namespace {
 
 constexpr std::uint32_t kTile = 16;
 
+/// The processor time of this thread.
+double thread_seconds() {
+  timespec time{};
+  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// What is to be believed of the times in a tile: where queries would have taken far longer than
+/// all of the tile, the thread was put aside within one that was timed.
+QueryTimes credible(const QueryTimes& times, double busy_seconds) {
+  return times.seconds() <= 4 * busy_seconds ? times : QueryTimes{};
+}
+
 /// One render: every pixel is a function of the scene and the options alone; threads only decide
-/// when it is computed.
+/// when it is computed. A Sample is a FilmSample or a TermSample.
+template <class Sample>
 class Render {
  public:
-  Render(const RayIntegrator& integrator, const EyeRays& eye, const RenderOptions& options,
-         const RenderContext& context, RenderResult& result)
-      : integrator_(integrator),
+  Render(const RenderScene& scene, const RayIntegrator& integrator, const EyeRays& eye,
+         const RenderOptions& options, const RenderContext& context, RenderResult& result)
+      : scene_(scene),
+        integrator_(integrator),
         eye_(eye),
         options_(options),
         context_(context),
         region_(region_within(options.region, options.width, options.height)),
+        layers_(options.layers, std::size_t{options.width} * options.height),
         result_(result) {
     result.image = Image(options.width, options.height);
     result.image.alpha.assign(result.image.pixels.size(), 0.0f);
@@ -32,29 +52,36 @@ class Render {
   void run() {
     const bool two_passes = options_.antialias.method == 1;
     const double share = two_passes ? 0.5 : 1;
-    pass(0, share, [&](std::uint32_t x, std::uint32_t y, RayLog& log) {
+    pass(0, share, [&](std::uint32_t x, std::uint32_t y, PixelLog& log) {
       store(x, y, first_value(x, y, log));
     });
     if (two_passes && !stopped()) refine();
+    result_.layers = layers_.take();
     result_.cancelled = stopped();
   }
 
  private:
-  FilmSample sample(double x, double y, Vec2 lens, RayLog& log) const {
+  static constexpr bool kWithTerms = std::is_same_v<Sample, TermSample>;
+
+  Sample sample(double x, double y, Vec2 lens, PixelLog& log) const {
+    Sample sample{};
+    sample.alpha = 0;
     const auto ray = eye_.ray(x, y, lens);
-    if (!ray) return {{}, 0};
-    const Radiance radiance = integrator_.radiance(*ray, log);
-    return {radiance.color, radiance.alpha};
+    if (!ray) return sample;
+    const Radiance radiance = integrator_.radiance(*ray, log.rays);
+    sample.color = radiance.color, sample.alpha = radiance.alpha;
+    if constexpr (kWithTerms) sample.terms = log.watch.take_terms();
+    return sample;
   }
 
   /// The value at a place of the image: one ray, or what the whole lens sees around it.
-  FilmSample value(double x, double y, double spread, RayLog& log) const {
+  Sample value(double x, double y, double spread, PixelLog& log) const {
     if (!eye_.lens()) return sample(x, y, {0.5, 0.5}, log);
     return eye_.lens()->mean(
         x, y, spread, [&](double px, double py, Vec2 lens) { return sample(px, py, lens, log); });
   }
 
-  FilmSample first_value(std::uint32_t x, std::uint32_t y, RayLog& log) const {
+  Sample first_value(std::uint32_t x, std::uint32_t y, PixelLog& log) const {
     const auto at = [&](double px, double py) { return value(px, py, 0, log); };
     if (options_.antialias.method == 2) return CornerRefiner(options_.antialias, at).pixel(x, y);
     return value(x + 0.5, y + 0.5, 1, log);
@@ -64,20 +91,32 @@ class Render {
   void refine() {
     const auto marked = pixels_to_refine(result_.image, options_.antialias, region_.first_column,
                                          region_.first_row, region_.end_column, region_.end_row);
-    pass(0.5, 0.5, [&](std::uint32_t x, std::uint32_t y, RayLog& log) {
-      const std::size_t index = std::size_t{y} * options_.width + x;
-      if (!marked[index]) return;
-      const FilmSample centre{result_.image.pixels[index], result_.image.alpha[index]};
+    pass(0.5, 0.5, [&](std::uint32_t x, std::uint32_t y, PixelLog& log) {
+      if (!marked[index_of(x, y)]) return;
       const double spread = 1.0 / std::max(1u, options_.antialias.depth);
       const auto at = [&](double px, double py) { return value(px, py, spread, log); };
-      store(x, y, refine_on_grid(x, y, centre, options_.antialias, at));
+      store(x, y, refine_on_grid(x, y, stored(x, y), options_.antialias, at));
     });
   }
 
-  void store(std::uint32_t x, std::uint32_t y, FilmSample value) {
-    const std::size_t index = std::size_t{y} * options_.width + x;
+  std::size_t index_of(std::uint32_t x, std::uint32_t y) const {
+    return std::size_t{y} * options_.width + x;
+  }
+
+  void store(std::uint32_t x, std::uint32_t y, const Sample& value) {
+    const std::size_t index = index_of(x, y);
     result_.image.pixels[index] = value.color;
     result_.image.alpha[index] = value.alpha;
+    if constexpr (kWithTerms) layers_.set_terms(index, value.terms);
+  }
+
+  Sample stored(std::uint32_t x, std::uint32_t y) const {
+    const std::size_t index = index_of(x, y);
+    Sample sample{};
+    sample.color = result_.image.pixels[index];
+    sample.alpha = result_.image.alpha[index];
+    if constexpr (kWithTerms) sample.terms = layers_.terms(index);
+    return sample;
   }
 
   /// Calls pixel(x, y, log) for every pixel of the region, tile by tile.
@@ -89,21 +128,22 @@ class Render {
     const std::uint32_t tiles = across * ((rows + kTile - 1) / kTile);
     std::uint32_t finished = 0;
     parallel_for(tiles, options_.threads, context_.cancel, [&](std::uint32_t tile) {
-      const auto begin = std::chrono::steady_clock::now();
-      RayLog log;
+      const double begin = thread_seconds();
+      PixelLog log(scene_, options_.layers);
       const std::uint32_t x0 = region_.first_column + tile % across * kTile;
       const std::uint32_t y0 = region_.first_row + tile / across * kTile;
       for (std::uint32_t y = y0; y < std::min(y0 + kTile, region_.end_row); ++y) {
         for (std::uint32_t x = x0; x < std::min(x0 + kTile, region_.end_column); ++x) {
-          pixel(x, y, log);
+          layers_.measure(index_of(x, y), log, [&] { pixel(x, y, log); });
         }
         if (stopped()) break;
       }
-      const std::chrono::duration<double> busy = std::chrono::steady_clock::now() - begin;
+      const double busy = thread_seconds() - begin;
       const std::lock_guard lock(mutex_);
-      result_.rays += log.counts;
-      result_.queries += log.clock.times();
-      result_.busy_seconds += busy.count();
+      result_.rays += log.rays.counts;
+      const QueryTimes times = credible(log.rays.clock.times(), busy);
+      result_.queries += times;
+      if (times.queries > 0) result_.busy_seconds += busy;
       ++finished;
       if (context_.progress) {
         context_.progress({done_before + share * finished / tiles, result_.rays});
@@ -115,11 +155,13 @@ class Render {
     return context_.cancel && context_.cancel->load(std::memory_order_relaxed);
   }
 
+  const RenderScene& scene_;
   const RayIntegrator& integrator_;
   const EyeRays& eye_;
   const RenderOptions& options_;
   const RenderContext& context_;
   PixelRegion region_;
+  PixelLayers layers_;
   RenderResult& result_;
   std::mutex mutex_;
 };
@@ -140,7 +182,11 @@ Result<RenderResult> render_image(const RenderScene& scene, const RenderOptions&
   auto integrator = make_integrator(options.integrator, scene, options.integrator_options);
   if (!integrator) return tl::unexpected(integrator.error());
   RenderResult result;
-  Render(**integrator, *eye, options, context, result).run();
+  if (options.layers.has_any(LayerSet::terms())) {
+    Render<TermSample>(scene, **integrator, *eye, options, context, result).run();
+  } else {
+    Render<FilmSample>(scene, **integrator, *eye, options, context, result).run();
+  }
   return result;
 }
 

@@ -7,10 +7,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dioptre/core/result.h"
 #include "dioptre/film/antialias.h"
 #include "dioptre/film/image.h"
+#include "dioptre/film/layers.h"
 #include "dioptre/integrators/integrator.h"
 #include "dioptre/scene/scene.h"
 
@@ -33,6 +35,7 @@ struct RenderOptions {
   AntialiasSettings antialias;
   IntegratorOptions integrator_options;
   std::string integrator = "whitted";
+  LayerSet layers;            ///< to make beside the picture
   std::uint32_t threads = 0;  ///< 0: as many as there are cores
 };
 
@@ -50,9 +53,10 @@ struct RenderContext {
 
 struct RenderResult {
   Image image;
+  std::vector<ImageLayer> layers;  ///< in the scene's own values, in the order of LayerKind
   RayCounts rays;
   QueryTimes queries;       ///< asking what rays meet
-  double busy_seconds = 0;  ///< of all threads together
+  double busy_seconds = 0;  ///< processor time of all threads where the queries were timed
   bool cancelled = false;   ///< the image is not complete
 
   /// The share of the time that went into finding what rays meet; nothing if it was not measured.

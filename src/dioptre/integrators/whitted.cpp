@@ -101,8 +101,11 @@ struct Whitted::Scratch {
 Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
     : scene_(scene),
       direct_(scene, options),
+      sky_(scene),
       rainbows_(scene.scene()),
-      reflections_(options.quality >= 8) {
+      has_fog_(!scene.scene().atmosphere.fogs.empty()),
+      reflections_(options.quality >= 8),
+      attenuation_(options.attenuation) {
   const Vec3 eye = scene.scene().camera.location;
   for (const Item& item : scene.items()) {
     const Part& part = scene.first_part(item);
@@ -121,7 +124,7 @@ Radiance Whitted::radiance(const Ray& camera_ray, RayLog& log) const {
   path.ray = camera_ray;
   path.media = camera_media_;
   begin(RayKind::kCamera, path, {1, 1, 1}, log.observer);
-  return trace(std::move(path), scratch);
+  return trace(path, scratch);
 }
 
 bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
@@ -130,9 +133,9 @@ bool Whitted::may_spawn(Color weight, std::uint32_t level) const {
          max_component(abs(weight)) >= static_cast<float>(settings.adc_bailout);
 }
 
-/// Follows one ray through all surfaces it goes straight or bent through; what is mirrored on the
-/// way is traced by recursion.
-Radiance Whitted::trace(Path path, Scratch& scratch) const {
+/// Follows one ray through all surfaces it goes straight or bent through, moving `path` along; what
+/// is mirrored on the way is traced by recursion.
+Radiance Whitted::trace(Path& path, Scratch& scratch) const {
   if (scratch.samples.size() <= scratch.depth) {
     scratch.samples.push_back(std::make_unique<TextureSample>());
   }
@@ -140,10 +143,16 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
   Color radiance, through{1, 1, 1};
   for (WatchedRays watched(scratch.log->observer);; watched.go_on()) {
     Hit hit;
-    Color reached{1, 1, 1};  // what mists leave on the way to the surface
-    const bool found = scratch.log->clock.time(
-        [&] { return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit); });
+    Color reached{1, 1, 1};  // what the way to the surface leaves
+    const bool found = scratch.log->clock.time([&] {
+      return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit, scene_.accelerator(),
+                            scratch.log->walks);
+    });
     const double distance = found ? hit.crossing.t : kInfinity;
+    if (found && path.attenuation > 0) {
+      const auto left = static_cast<float>(std::exp(-path.attenuation * distance));
+      path.weight *= left, through *= left, reached *= left;
+    }
     if (path.media.in_atmosphere()) {
       const auto cross = [&](const FogEffect& mist) {
         radiance += through * mist.added;
@@ -151,11 +160,11 @@ Radiance Whitted::trace(Path path, Scratch& scratch) const {
         through *= mist.transmittance;
         reached *= mist.transmittance;
       };
-      cross(fog_effect(scene_, path.ray, distance));
+      if (has_fog_) cross(fog_effect(scene_, path.ray, distance));
       if (!rainbows_.empty()) cross(rainbows_.effect(path.ray, distance));
     }
     if (!found) {
-      const Color sky = sky_radiance(scene_, path.ray.direction);
+      const Color sky = sky_.radiance(path.ray.direction);
       radiance += through * sky;
       watched.receive(LightTerm::kBackground, reached * sky);
       return {radiance, 1 - max_component(through)};
@@ -206,6 +215,7 @@ Whitted::Passage Whitted::transmit(const Vertex& vertex, const Hit& hit, Color& 
   if (!may_spawn(weight, path.level)) return Passage::kNone;
   next = path;
   next.weight = weight;
+  next.attenuation = attenuation_.transmitted;
   const Vec3 normal = vertex.sample.layers[vertex.stack.first].normal;
   const Passage passage = pass(vertex.at, hit, normal, next);
   if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
@@ -289,11 +299,12 @@ Color Whitted::mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch&
   mirrored.ray =
       spawn_ray(vertex.at, mirror_direction(path.ray.direction, normal, vertex.at.surface.normal));
   mirrored.level = path.level + 1;
+  mirrored.attenuation = attenuation_.reflected;
   mirrored.purpose = RayPurpose::kReflection;
   ++scratch.log->counts.reflected;
   begin(RayKind::kReflected, mirrored, vertex.share * share, scratch.log->observer);
   ++scratch.depth;
-  const Color radiance = trace(std::move(mirrored), scratch).color;
+  const Color radiance = trace(mirrored, scratch).color;
   --scratch.depth;
   return radiance;
 }

@@ -26,6 +26,7 @@ class Whitted final : public RayIntegrator {
     Ray ray;
     Color weight{1, 1, 1};  ///< from this ray to the pixel
     std::uint32_t level = 1;
+    double attenuation = 0;  ///< as LengthAttenuation has it
     RayPurpose purpose = RayPurpose::kCamera;
     MediaStack media;
   };
@@ -43,7 +44,7 @@ class Whitted final : public RayIntegrator {
   };
 
   void begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const;
-  Radiance trace(Path path, Scratch& scratch) const;
+  Radiance trace(Path& path, Scratch& scratch) const;
   Passage transmit(const Vertex& vertex, const Hit& hit, Color& transmitted, Path& next) const;
   Color left_by_mirrors(const Vertex& vertex) const;
   Color shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const;
@@ -54,9 +55,12 @@ class Whitted final : public RayIntegrator {
 
   const RenderScene& scene_;
   DirectLight direct_;
+  Sky sky_;
   Rainbows rainbows_;
+  bool has_fog_;
   MediaStack camera_media_;
   bool reflections_;
+  LengthAttenuation attenuation_;
 };
 
 }  // namespace dioptre

@@ -74,11 +74,12 @@ SurfaceInteraction RenderScene::interaction(const Ray& ray, const Hit& hit) cons
   at.surface = hit.item->shape->surface(ray, hit.crossing);
   at.part = &part(hit);
   if (at.part->needs.uv) at.uv = hit.item->shape->uv(ray, hit.crossing);
-  // The error of t along the ray, and the rounding of origin + t * direction.
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  // The error of t along the ray, the rounding of the ray in the space of the shape (8 epsilon of
+  // its coordinates, in each of three), and that of origin + t * direction.
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
   const Vec3 p = abs(at.surface.position), o = abs(ray.origin);
   at.error = hit.crossing.error * length(ray.direction) +
-             4 * kEpsilon * (max_component(p) + max_component(o));
+             kRounding * (max_component(p) + max_component(o));
   return at;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,7 +18,8 @@ struct CodecModule {
   Result<DecodedImage> (*decode_tiff)(std::string_view bytes, std::uint64_t max_pixels);
   Result<DecodedImage> (*decode_exr)(std::string_view bytes, std::uint64_t max_pixels);
   /// The bytes of an OpenEXR file, as write_exr says. The picture has pixels.
-  Result<std::string> (*encode_exr)(const Image& linear, bool half);
+  Result<std::string> (*encode_exr)(const Image& linear, std::span<const ImageLayer> layers,
+                                    bool half);
 };
 
 /// Opens the module, looked for beside the program and where it is installed; it stays open. The

@@ -21,11 +21,16 @@ void put_rgbe(std::string& out, Color c) {
 
 }  // namespace
 
-Result<void> write_exr(const std::string& path, const Image& linear, bool half) {
+Result<void> write_exr(const std::string& path, const Image& linear, bool half,
+                       std::span<const ImageLayer> layers) {
   if (linear.pixels.empty()) return fail("the image has no pixels");
+  for (const ImageLayer& layer : layers) {
+    if (layer.values.size() == linear.pixels.size() * layer.channels.size()) continue;
+    return fail("the layer " + layer.name + " has another size than the image");
+  }
   const Result<const CodecModule*> codecs = load_codecs();
   if (!codecs) return fail("cannot write " + path + ": " + codecs.error().message);
-  const Result<std::string> bytes = (*codecs)->encode_exr(linear, half);
+  const Result<std::string> bytes = (*codecs)->encode_exr(linear, layers, half);
   if (!bytes) return fail("cannot write " + path + ": " + bytes.error().message);
   return write_file(path, *bytes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,11 @@ Result<void> write_image(const std::string& path, const EncodedImage& image, Ima
                          const WriteImageOptions& options = {});
 
 /// Writes linear light as OpenEXR: R, G, B and, if the picture has it, A (colours multiplied by
-/// alpha, as the format wants), 32-bit floats or halves, ZIP compressed.
-Result<void> write_exr(const std::string& path, const Image& linear, bool half);
+/// alpha, as the format wants), 32-bit floats or halves, ZIP compressed. The channels of layers
+/// follow, each called LAYER.CHANNEL, in 32-bit floats always; light in them (channels "RGB") is
+/// multiplied by alpha too.
+Result<void> write_exr(const std::string& path, const Image& linear, bool half,
+                       std::span<const ImageLayer> layers = {});
 
 /// Writes linear light as Radiance RGBE (.hdr).
 Result<void> write_hdr(const std::string& path, const Image& linear);
