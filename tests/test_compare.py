@@ -6,8 +6,11 @@ import io
 import json
 import re
 import unittest
+import xml.dom.minidom
 
 from program import ROOT, ProgramTest
+
+from measure import growth_plot
 
 SCENES = ("csg", "glass", "mesh")
 NAMES = ["bvh", "bsp", "bsp-median", "octree", "grid2", "grid", "boxes", "slabs", "spheres",
@@ -69,6 +72,26 @@ class Compare(ProgramTest):
         self.assertEqual(outcome.status, 0, outcome.output)
         self.assertRegex(outcome.output, r"\d+ camera, \d+ reflected, \d+ transmitted, \d+ shadow")
         self.assertRegex(outcome.output, r"\d+ % of the time in intersection")
+
+
+class GrowthPlot(unittest.TestCase):
+    BENCH = """kind    spheres name             rays/s    nodes    boxes    items
+even        100 bvh           3853092     10.4      0.0      1.7    0.000    98.1    0.8    1.0  2.1
+eye         100 bvh           9999999     10.4      0.0      1.7    0.000    98.1    0.8    1.0  2.1
+even       1000 bvh           2076490     19.8      0.5      2.1    0.002   100.1    0.9    1.0  2.3
+even        100 none          1380536      0.0    100.0      1.9    0.000    56.0    0.0    1.0  2.1
+"""
+
+    def test_the_rows_of_one_kind_are_read(self):
+        rows = growth_plot.read(self.BENCH)
+        self.assertEqual([(row["structure"], row["objects"]) for row in rows],
+                         [("bvh", 100), ("bvh", 1000), ("none", 100)])
+        self.assertEqual(growth_plot.looks(rows[1]), 20.3)
+
+    def test_the_plot_names_each_structure(self):
+        document = xml.dom.minidom.parseString(growth_plot.svg(growth_plot.read(self.BENCH)))
+        said = [node.firstChild.data for node in document.getElementsByTagName("text")]
+        self.assertEqual((said.count("bvh"), said.count("none")), (2, 1))
 
 
 if __name__ == "__main__":

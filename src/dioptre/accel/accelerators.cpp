@@ -59,7 +59,8 @@ class Over final : public Accelerator {
 /// The hierarchy that meshes and solids use too.
 class Hierarchy final : public Accelerator {
  public:
-  explicit Hierarchy(std::span<const Bounds> boxes) : tree_(boxes, 2) {}
+  /// One item in a leaf: its own box is then tested beside its neighbour's.
+  explicit Hierarchy(std::span<const Bounds> boxes) : tree_(boxes, 1) {}
 
   void visit(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const override {
     tree_.traverse(ray, range, Report{leaf, cost});

@@ -81,6 +81,12 @@ std::optional<Split> best_split(std::span<const Item> items) {
   return best;
 }
 
+int finite_sides(const Bounds& box) {
+  int count = 0;
+  for (const double side : SlabBox(box).plane) count += std::isfinite(side) ? 1 : 0;
+  return count;
+}
+
 Bounds bounds_of(std::span<const Item> items) {
   Bounds box;
   for (const Item& item : items) box = unite(box, item.box);
@@ -146,8 +152,10 @@ BoundingVolumeHierarchy::BoundingVolumeHierarchy(std::span<const Bounds> boxes,
     if (boxes[i].finite()) {
       items.push_back({boxes[i], i});
       finite = unite(finite, boxes[i]);
-    } else {
+    } else if (finite_sides(boxes[i]) > 1) {
       unbounded_.push_back({SlabBox(boxes[i]), i});
+    } else {
+      everywhere_.push_back(i);
     }
   }
   if (items.empty()) return;

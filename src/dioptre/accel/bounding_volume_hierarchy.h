@@ -35,10 +35,11 @@ class BoundingVolumeHierarchy {
   /// Memory in use.
   std::size_t bytes() const {
     return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::uint32_t) +
-           unbounded_.capacity() * sizeof(Unbounded);
+           unbounded_.capacity() * sizeof(Unbounded) +
+           everywhere_.capacity() * sizeof(std::uint32_t);
   }
   /// The number of items.
-  std::size_t item_count() const { return order_.size() + unbounded_.size(); }
+  std::size_t item_count() const { return order_.size() + unbounded_.size() + everywhere_.size(); }
 
   /// A box around all items.
   const Bounds& bounds() const { return bounds_; }
@@ -49,13 +50,16 @@ class BoundingVolumeHierarchy {
   /// called for each inner node looked at.
   template <class Leaf>
   void traverse(const Ray& ray, Interval& range, Leaf&& leaf) const {
-    for (const Unbounded& each : unbounded_) {
-      if (!leaf(each.item, range)) return;
+    for (const std::uint32_t item : everywhere_) {
+      if (!leaf(item, range)) return;
     }
-    if (!has_root_) return;
+    if (!has_root_ && unbounded_.empty()) return;
     const SlabRay slabs(ray);
     double entry = 0;
-    if (!slabs.meets(root_box_, range, entry)) return;
+    for (const Unbounded& each : unbounded_) {
+      if (slabs.meets(each.box, range, entry) && !leaf(each.item, range)) return;
+    }
+    if (!has_root_ || !slabs.meets(root_box_, range, entry)) return;
     struct Pending {
       double entry;
       Child child;
@@ -95,6 +99,7 @@ class BoundingVolumeHierarchy {
   /// Calls `void leaf(std::uint32_t item)` for the items whose box may hold p.
   template <class Leaf>
   void visit_at(Vec3 p, Leaf&& leaf) const {
+    for (const std::uint32_t item : everywhere_) leaf(item);
     for (const Unbounded& each : unbounded_) {
       if (each.box.contains(p)) leaf(each.item);
     }
@@ -136,6 +141,7 @@ class BoundingVolumeHierarchy {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
   std::vector<Unbounded> unbounded_;
+  std::vector<std::uint32_t> everywhere_;  ///< with at most one finite side: never worth a test
 };
 
 }  // namespace dioptre

@@ -35,13 +35,19 @@ class NearestFirst {
 
   /// The entry of the nearest box not yet opened: no item reported later begins before it.
   double bound() const {
-    if (next_unbounded_ < tree_.unbounded_.size()) return -kInfinity;
+    if (next_everywhere_ < tree_.everywhere_.size() || next_unbounded_ < tree_.unbounded_.size()) {
+      return -kInfinity;
+    }
     return heap_.empty() ? kInfinity : heap_.front().entry;
   }
 
   /// Opens boxes until an item comes up; false when there are no more. With leaves of more than one
   /// item, `item` need not be met itself.
   bool next(std::uint32_t& item) {
+    if (next_everywhere_ < tree_.everywhere_.size()) {
+      item = tree_.everywhere_[next_everywhere_++];
+      return true;
+    }
     while (next_unbounded_ < tree_.unbounded_.size()) {
       const auto& each = tree_.unbounded_[next_unbounded_++];
       double entry = 0;
@@ -85,7 +91,7 @@ class NearestFirst {
   const SlabRay& slabs_;
   Interval range_;
   std::vector<Pending>& heap_;
-  std::size_t next_unbounded_ = 0;
+  std::size_t next_everywhere_ = 0, next_unbounded_ = 0;
 };
 
 }  // namespace dioptre

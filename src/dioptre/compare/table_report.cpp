@@ -19,10 +19,10 @@ const char* verdict(const StructureResult& each) {
 }
 
 std::string structures_table(const Comparison& c) {
-  constexpr const char* kHead = "{:<10} {:>8} {:>8} {:>8} {:>6} {:>7} {:>6} {:>8} {:>5} {}";
+  constexpr const char* kHead = "{:<10} {:>8} {:>8} {:>8} {:>6} {:>7} {:>6} {:>8} {:>5}{}\n";
   std::string out = fmt::format(kHead, "", "build", "memory", "nodes", "listed", "trace", "speed",
-                                "render", "inter", "image\n");
-  out += fmt::format(kHead, "", "ms", "KiB", "", "/item", "s", "/none", "s", "sect.", "\n");
+                                "render", "inter", " image");
+  out += fmt::format(kHead, "", "ms", "KiB", "", "/item", "s", "/none", "s", "sect.", "");
   for (const StructureResult& each : c.structures) {
     const double items = static_cast<double>(std::max<std::size_t>(c.items, 1));
     std::optional<double> percent = each.intersection_share;
@@ -74,8 +74,10 @@ std::string wrapped(std::string_view text) {
 }  // namespace
 
 std::string table_report(const Comparison& c) {
-  std::string out = fmt::format("{}: {} x {} pixels, {} items, {} rays\n\n", c.title, c.image.width,
-                                c.image.height, c.items, c.rays.total());
+  std::string out = fmt::format(
+      "{}: {} x {} pixels, {} items, {} rays\n"
+      "(trace: all rays, one thread; render: all threads, with shading)\n\n",
+      c.title, c.image.width, c.image.height, c.items, c.rays.total());
   out += structures_table(c);
   std::vector<RaySort> sorts;
   std::copy_if(kAllRaySorts.begin(), kAllRaySorts.end(), std::back_inserter(sorts),

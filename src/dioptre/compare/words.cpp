@@ -128,29 +128,28 @@ std::string about_equality(const Comparison& c) {
 }
 
 std::string about_none(const Comparison& c) {
-  std::vector<std::string> losers;
+  std::vector<std::string> no_better;
   double least = kInfinity, most = 0;
   for (const StructureResult& each : c.structures) {
     const auto speed = c.speed(each);
     if (!speed || each.name == "none") continue;
-    if (*speed <= 1) losers.push_back(each.name);
+    if (*speed < kSame) no_better.push_back(each.name);
     least = std::min(least, *speed), most = std::max(most, *speed);
   }
   if (most == 0) return "";
-  if (most <= 1) {
+  if (most < kSame) {
     return fmt::format(
-        "Over all rays no structure beats none: {} items are too few to save more "
-        "than the walk costs.",
+        "Over all rays no structure beats none: {} items are too few to save more than the walk "
+        "costs.",
         c.items);
   }
-  if (losers.empty()) {
+  if (no_better.empty()) {
     return fmt::format("Over all rays none loses to every structure, by {:.1f} to {:.1f} times.",
                        least, most);
   }
   return fmt::format(
-      "Over all rays none is as fast as {} or faster; the others gain up to {:.1f} "
-      "times.",
-      joined(losers), most);
+      "Over all rays none is about as fast as {}, or faster; the others gain up to {:.1f} times.",
+      joined(no_better), most);
 }
 
 }  // namespace

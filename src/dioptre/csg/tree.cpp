@@ -55,14 +55,15 @@ class Tree final : public Shape {
     return inside;
   }
 
+  /// Whoever asks has mostly tested the box already: the core is faster than one more test.
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
-    const SlabRay slabs(ray);
-    Interval within = range;
-    if (!slabs.clip(compiled_.extent, within)) return false;
     if (compiled_.convex) {
       const NearestEnd found = nearest_end_of_core(ray, range, out);
       if (found != NearestEnd::kUnclear) return found == NearestEnd::kFound;
     }
+    const SlabRay slabs(ray);
+    Interval within = range;
+    if (!slabs.clip(compiled_.extent, within)) return false;
     const ScratchLease scratch;
     Sweep(compiled_, *scratch, ray, slabs, range, within).run(false);
     for (const Crossing& crossing : (*scratch).passed) {

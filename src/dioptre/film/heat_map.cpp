@@ -27,9 +27,15 @@ std::uint32_t legend_scale(std::uint32_t width) { return std::clamp(width / 480,
 /// Which values have the first and the last colour, and the largest of all.
 struct Scale {
   double low = 0, high = 1, largest = 0;
+  bool logarithmic = false;  ///< low is above 0
 
-  double share(double value) const { return (value - low) / (high - low); }
-  double value(double share) const { return low + share * (high - low); }
+  double share(double value) const {
+    return logarithmic ? std::log(value / low) / std::log(high / low)
+                       : (value - low) / (high - low);
+  }
+  double value(double share) const {
+    return logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+  }
 };
 
 Scale scale_of(const ImageLayer& layer) {
@@ -43,9 +49,12 @@ Scale scale_of(const ImageLayer& layer) {
   std::nth_element(finite.begin(), most, finite.end());
   scale.high = *most;
   scale.largest = *std::max_element(most, finite.end());
-  if (layer.channels == "Z") scale.low = *std::min_element(finite.begin(), most + 1);
-  if (!(scale.high > scale.low)) scale.high = scale.largest;
-  if (!(scale.high > scale.low)) scale.high = scale.low + 1;
+  if (!(scale.high > 0)) scale.high = scale.largest > 0 ? scale.largest : 1;
+  if (layer.channels == "Z") {
+    scale.logarithmic = true;
+    const double least = *std::min_element(finite.begin(), most + 1);
+    scale.low = std::clamp(least, 1e-4 * scale.high, 0.9 * scale.high);
+  }
   return scale;
 }
 

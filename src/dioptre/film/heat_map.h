@@ -17,9 +17,9 @@ inline constexpr std::uint32_t kLegendWidth = 240;
 /// that says what the colours stand for; `unit` follows the layer's name there. A narrow picture
 /// stands at the left of what the legend needs.
 ///
-/// The scale runs from 0, or from the least value for distances, to what one pixel in 200 exceeds;
-/// those all have the last colour, and the legend says how far they go. Pixels without a finite
-/// value are dark.
+/// The scale runs evenly from 0, or for distances (channel "Z") in equal ratios from the least of
+/// them, to what one pixel in 200 exceeds; those all have the last colour, and the legend says how
+/// far they go. Pixels without a finite value are dark.
 EncodedImage heat_map(const ImageLayer& layer, std::uint32_t width, std::uint32_t height,
                       std::string_view unit);
 

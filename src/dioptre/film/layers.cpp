@@ -20,8 +20,8 @@ constexpr std::array<LayerInfo, kLayerKinds> kInfos{{
     {Kind::kSteps, "steps", "Y", "per pixel"},
     {Kind::kTests, "tests", "Y", "per pixel"},
     {Kind::kSpans, "spans", "Y", "per pixel"},
-    {Kind::kDepth, "depth", "Z", "units"},
-    {Kind::kTime, "time", "Y", "ns per pixel"},
+    {Kind::kDepth, "depth", "Z", "in units"},
+    {Kind::kTime, "time", "Y", "in ns per pixel"},
 }};
 
 struct Group {
