@@ -80,10 +80,11 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
     if (!scene_.window(number)->nearest(ray, {0, distance}, crossing)) return {};
     distance = crossing.t;
   }
-  distance -= kShadowGap;
-  if (distance <= kShadowGap || light.shadowless) return {1, 1, 1};
+  const double gap = scene_.shadow_gap();
+  distance -= gap;
+  if (distance <= gap || light.shadowless) return {1, 1, 1};
   ++log.counts.shadow;
-  const Interval range{kShadowGap, distance};
+  const Interval range{gap, distance};
   const Color visible = through(light, ray, range, blocker, log);
   if (log.observer) log.observer->shadow({number, ray, range, blocker, visible});
   return visible;

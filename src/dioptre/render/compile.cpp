@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <map>
 
 #include "dioptre/render/solid_builder.h"
@@ -42,7 +43,14 @@ class Compiler {
     }
     std::vector<Bounds> boxes;
     boxes.reserve(out_.items_.size());
-    for (const Item& item : out_.items_) boxes.push_back(item.shape->bounds());
+    Bounds finite;
+    for (const Item& item : out_.items_) {
+      boxes.push_back(item.shape->bounds());
+      if (boxes.back().finite()) finite = unite(finite, boxes.back());
+    }
+    if (!finite.empty() && finite.finite()) {
+      out_.shadow_gap_ = kShadowGap * std::min(1.0, max_component(finite.extent()));
+    }
     auto accelerator = make_accelerator(options.accelerator, boxes, {scene_.camera.location});
     if (!accelerator) return tl::unexpected(accelerator.error());
     out_.accelerator_ = std::move(*accelerator);

@@ -170,8 +170,8 @@ bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& 
     return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.item < b.item;
   });
   double last = -kInfinity;
-  std::erase_if(hits, [&last](const Hit& hit) {
-    if (hit.crossing.t <= last + kShadowGap) return true;
+  std::erase_if(hits, [&](const Hit& hit) {
+    if (hit.crossing.t <= last + shadow_gap_) return true;
     last = hit.crossing.t;
     return false;
   });

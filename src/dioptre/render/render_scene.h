@@ -65,9 +65,10 @@ struct SurfaceInteraction {
   double error = 0;  ///< a bound on the distance of surface.position from the true point
 };
 
-/// Of surfaces nearer to each other than this along a shadow ray, in scene units, only the first
-/// counts; nor does what is nearer to the surface in question or to the light (measured): things
-/// that touch, a lamp in its glass or a block on another, shade once.
+/// Of surfaces nearer to each other than this along a shadow ray only the first counts; nor does
+/// what is nearer to the surface in question or to the light (measured): things that touch, a lamp
+/// in its glass or a block on another, shade once. In scene units, but a scene smaller than one
+/// unit has a gap as much smaller: see RenderScene::shadow_gap.
 constexpr double kShadowGap = 1e-3;
 
 /// Names the builder of the structure over the items.
@@ -99,7 +100,7 @@ class RenderScene {
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
 
   /// Finds the surfaces that light meets within the range, in order, into `hits`; of those that
-  /// touch (kShadowGap) only the first. False if one belongs to an opaque item: no light comes
+  /// touch (shadow_gap) only the first. False if one belongs to an opaque item: no light comes
   /// through, `hits` is of no use, and `blocker` becomes that item. If `blocker` is one already, it
   /// is looked at first.
   bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
@@ -122,6 +123,9 @@ class RenderScene {
     return parts_[hit.item->first_part + hit.crossing.leaf];
   }
 
+  /// kShadowGap, or that share of the size of all that is finite in the scene if that is smaller.
+  double shadow_gap() const { return shadow_gap_; }
+
   /// What the light of this number in the scene is projected through; null for most lights.
   const Shape* window(std::size_t light) const { return windows_[light].get(); }
 
@@ -141,6 +145,7 @@ class RenderScene {
   std::vector<Part> parts_;
   std::vector<TexturePlacement> placements_;
   AcceleratorPtr accelerator_;
+  double shadow_gap_ = kShadowGap;
   std::unique_ptr<const TextureEvaluator> textures_;
 };
 
