@@ -10,6 +10,7 @@
 #include "dioptre/film/antialias.h"
 #include "dioptre/film/camera_rays.h"
 #include "dioptre/film/display.h"
+#include "dioptre/film/lens_samples.h"
 #include "dioptre/film/transfer_curve.h"
 
 namespace dioptre {
@@ -236,6 +237,34 @@ TEST(Display, TransferCurvesAreTheirCurveRounded) {
 
 TEST(Display, TheSrgbCurveIsUndoneByItsInverse) {
   for (double v = 0; v <= 1; v += 0.01) EXPECT_NEAR(srgb_decode(srgb_encode(v)), v, 1e-6);
+}
+
+/// After how many samples a lens has looked enough if the first few of them are white, the others
+/// black; as POV-Ray 3.7 renders such pixels.
+TEST(LensSamples, StopWhereSceneFilesExpectIt) {
+  const struct {
+    std::uint32_t most;
+    double confidence, variance;
+    std::array<int, 3> samples;  ///< with one, two and three white ones
+  } cases[] = {{37, 0.975, 1.0 / 255, {23, 27, 31}}, {37, 0.9, 1.0 / 128, {19, 23, 27}},
+               {37, 0.975, 1.0 / 64, {19, 19, 23}},  {37, 0.9, 0, {37, 37, 37}},
+               {12, 0.9, 0.01, {11, 12, 12}},        {7, 0.9, 1e-3, {7, 7, 7}}};
+  for (const auto& c : cases) {
+    Camera camera;
+    camera.aperture = 1;
+    camera.blur_samples = c.most;
+    camera.confidence = c.confidence;
+    camera.variance = c.variance;
+    const LensSamples lens(camera);
+    for (int white = 1; white <= 3; ++white) {
+      int taken = 0;
+      lens.mean(0.5, 0.5, 1, [&](double, double, Vec2) {
+        const float value = taken++ < white ? 1 : 0;
+        return FilmSample{{value, value, value}, 1};
+      });
+      EXPECT_EQ(taken, c.samples[static_cast<std::size_t>(white - 1)]) << c.most << " " << white;
+    }
+  }
 }
 
 }  // namespace

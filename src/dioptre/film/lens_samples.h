@@ -15,7 +15,8 @@ namespace dioptre {
 /// The points of a lens that a pixel looks through, and when it has looked enough.
 ///
 /// 7, 19 or 37 samples stand on a hexagonal grid, 4 on a square, each moved at random within its
-/// cell; the grid is one lens wide (measured). More come from a Halton sequence in the disc.
+/// cell; the grid is one lens wide. Other numbers begin with the largest grid that they hold and go
+/// on with a Halton sequence in the disc (measured).
 class LensSamples {
  public:
   explicit LensSamples(const Camera& camera);
@@ -38,7 +39,7 @@ class LensSamples {
       const Value one = sample(x + spread * random(0), y + spread * random(1), points_[i] + moved);
       sum = sum + one;
       squares += one.color * one.color;
-      if (i + 1 >= least_ && certain(sum.color, squares, i + 1)) {
+      if (certain(sum.color, squares, i + 1)) {
         return sum * (1.0f / static_cast<float>(i + 1));
       }
     }
@@ -50,8 +51,8 @@ class LensSamples {
 
   std::vector<Vec2> points_;
   Vec2 cell_;
-  std::uint32_t least_;
-  double tolerance_;  ///< of the variance of the mean
+  /// By the number of samples: the variance below which they are enough; 0 where that is not asked.
+  std::vector<double> enough_;
 };
 
 }  // namespace dioptre
