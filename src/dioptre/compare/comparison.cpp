@@ -51,7 +51,7 @@ class Comparing {
       : scene_(scene),
         compile_options_(compile_options),
         render_options_(render_options),
-        most_rays_(options.sample),
+        options_(options),
         names_(options.accelerators),
         context_(context) {
     if (names_.empty()) names_.assign(accelerator_names().begin(), accelerator_names().end());
@@ -86,9 +86,9 @@ class Comparing {
   }
 
   std::size_t most_rays() const {
-    if (!has_none(names_)) return most_rays_;
-    return std::min(most_rays_,
-                    std::max(kFewestRays, kMostTests / std::max<std::size_t>(out_.items, 1)));
+    if (!has_none(names_)) return options_.sample;
+    const std::size_t affordable = kMostTests / std::max<std::size_t>(out_.items, 1);
+    return std::min(options_.sample, std::max(kFewestRays, affordable));
   }
 
   /// Builds a structure over the items; quick ones several times, for the median of the time.
@@ -175,7 +175,8 @@ class Comparing {
       std::vector<std::vector<double>> times(structures_.size());
       for (std::size_t round = 0; round < kRounds; ++round) {
         for (std::size_t i = 0; i < structures_.size(); ++i) {
-          times[i].push_back(time_walks(compiled, *structures_[i], sample[index]));
+          times[i].push_back(
+              time_walks(compiled, *structures_[i], sample[index], options_.measured_seconds));
         }
       }
       for (std::size_t i = 0; i < structures_.size(); ++i) {
@@ -190,7 +191,7 @@ class Comparing {
   const Scene& scene_;
   const CompileOptions& compile_options_;
   const RenderOptions& render_options_;
-  std::size_t most_rays_;
+  const CompareOptions& options_;
   std::vector<std::string> names_;
   const RenderContext& context_;
   std::vector<AcceleratorPtr> structures_;

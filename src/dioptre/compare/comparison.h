@@ -61,6 +61,7 @@ struct Comparison {
 struct CompareOptions {
   std::vector<std::string> accelerators;  ///< empty: all
   std::size_t sample = 100'000;           ///< about how many rays of each sort are measured
+  double measured_seconds = 0.005;        ///< the least that one measurement of time lasts
 };
 
 /// An error that lists the names if one of them is not known.

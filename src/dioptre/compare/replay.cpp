@@ -10,9 +10,6 @@
 namespace dioptre {
 namespace {
 
-/// The shortest time that is measured.
-constexpr double kLeastSeconds = 0.005;
-
 void take_in(std::uint64_t& digest, std::uint64_t answer) { digest = mix_bits(digest ^ answer); }
 
 /// Asks on behalf of rays, as the integrators do.
@@ -61,16 +58,16 @@ Walks walk_all(const RenderScene& scene, const Accelerator& structure,
 }
 
 double time_walks(const RenderScene& scene, const Accelerator& structure,
-                  std::span<const SampledRay> rays) {
+                  std::span<const SampledRay> rays, double least_seconds) {
   if (rays.empty()) return 0;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   double walked = 0, seconds = 0;
-  while (seconds < kLeastSeconds) {
+  do {
     walk_all(scene, structure, rays);
     walked += static_cast<double>(rays.size());
     seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  }
+  } while (seconds < least_seconds);
   return seconds / walked * 1e9;
 }
 

@@ -21,8 +21,8 @@ Walks walk_all(const RenderScene& scene, const Accelerator& structure,
                std::span<const SampledRay> rays);
 
 /// The time for one of the rays, in nanoseconds: the mean over all of them, walked over and over
-/// until there is something to measure.
+/// until `least_seconds` have gone by.
 double time_walks(const RenderScene& scene, const Accelerator& structure,
-                  std::span<const SampledRay> rays);
+                  std::span<const SampledRay> rays, double least_seconds);
 
 }  // namespace dioptre

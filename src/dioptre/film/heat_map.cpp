@@ -58,11 +58,18 @@ Scale scale_of(const ImageLayer& layer) {
   return scale;
 }
 
+/// Four digits; from 10000 on with K for thousands, M for millions and so on.
 std::string number(double value) {
+  std::string prefix;
+  for (const char next : {'K', 'M', 'G', 'T'}) {
+    if (!(value >= (prefix.empty() ? 9999.5 : 999.95))) break;
+    value /= 1000;
+    prefix = next;
+  }
   std::array<char, 32> text;
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return {text.data(), end.ptr};
+  return std::string(text.data(), end.ptr) + prefix;
 }
 
 class Drawing {

@@ -18,8 +18,9 @@ namespace dioptre {
 /// The first five are the terms of the light of an eye ray (T. Whitted, "An Improved Illumination
 /// Model for Shaded Display", 1980), as the first surface that it meets has them; their sum is the
 /// colour. Background, mists on the way and the glow of a surface are ambient; highlights are
-/// specular; all that a mirrored ray brings is reflected, all that comes through, refracted.
-/// The others tell what the pixel cost.
+/// specular; all that a mirrored ray brings is reflected, all that comes through, refracted. The
+/// light that total reflection keeps inside counts as refracted.
+/// The others tell what the pixel cost, all of its samples together.
 enum class LayerKind : std::uint8_t {
   kAmbient,
   kDiffuse,
@@ -27,11 +28,11 @@ enum class LayerKind : std::uint8_t {
   kReflected,
   kRefracted,
   kRays,   ///< traced: from the eye, mirrored, through surfaces and to lights
-  kSteps,  ///< of the walks through the accelerator: nodes, cells or volumes looked at
+  kSteps,  ///< of walks through the scene's accelerator: nodes, cells or volumes looked at
   kTests,  ///< of rays with items; a whole CSG solid or mesh is one item
   kSpans,  ///< ends of the stretches in which rays are inside of items, up to where they end
   kDepth,  ///< distance from the eye to the nearest surface; infinite if there is none
-  kTime,   ///< nanoseconds
+  kTime,   ///< of a processor, in nanoseconds
 };
 
 inline constexpr std::size_t kTerms = 5;

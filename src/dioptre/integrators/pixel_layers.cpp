@@ -6,14 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "dioptre/integrators/thread_time.h"
+
 namespace dioptre {
 namespace {
 
-constexpr std::array kWatched{LayerKind::kSpans, LayerKind::kDepth};
-
 bool needs_watch(LayerSet wanted) {
-  return wanted.has_any(LayerSet::terms()) ||
-         std::any_of(kWatched.begin(), kWatched.end(), [&](LayerKind k) { return wanted.has(k); });
+  return wanted.has_any(LayerSet::terms()) || wanted.has(LayerKind::kSpans) ||
+         wanted.has(LayerKind::kDepth);
 }
 
 }  // namespace
@@ -31,25 +31,19 @@ PixelLayers::PixelLayers(LayerSet wanted, std::size_t pixels) : wanted_(wanted) 
   }
 }
 
-PixelLayers::Snapshot::Snapshot(const PixelLog& log)
-    : rays(log.rays.counts.total()),
-      walks(log.rays.walks),
-      spans(log.watch.spans()),
-      own_time(log.watch.own_time()),
-      begin(std::chrono::steady_clock::now()) {}
+PixelLayers::Snapshot PixelLayers::snapshot(const PixelLog& log) const {
+  const std::int64_t time =
+      wanted_.has(LayerKind::kTime) ? thread_nanoseconds() - log.watch.own_time() : 0;
+  return {log.rays.counts.total(), log.rays.walks, log.watch.spans(), time};
+}
 
 void PixelLayers::add_cost(std::size_t at, const Snapshot& before, PixelLog& log) {
-  const auto whole = std::chrono::steady_clock::now() - before.begin;
-  const std::chrono::duration<double, std::nano> time =
-      whole - (log.watch.own_time() - before.own_time);
-  const auto since = [](std::uint64_t now, std::uint64_t then) {
-    return static_cast<double>(now - then);
-  };
-  add(LayerKind::kRays, at, since(log.rays.counts.total(), before.rays));
-  add(LayerKind::kSteps, at, since(log.rays.walks.nodes, before.walks.nodes));
-  add(LayerKind::kTests, at, since(log.rays.walks.items, before.walks.items));
-  add(LayerKind::kSpans, at, since(log.watch.spans(), before.spans));
-  add(LayerKind::kTime, at, std::max(time.count(), 0.0));
+  const Snapshot now = snapshot(log);
+  add(LayerKind::kRays, at, static_cast<double>(now.rays - before.rays));
+  add(LayerKind::kSteps, at, static_cast<double>(now.walks.nodes - before.walks.nodes));
+  add(LayerKind::kTests, at, static_cast<double>(now.walks.items - before.walks.items));
+  add(LayerKind::kSpans, at, static_cast<double>(now.spans - before.spans));
+  add(LayerKind::kTime, at, static_cast<double>(now.time - before.time));
   const auto depth = static_cast<float>(log.watch.take_depth());
   if (!wanted_.has(LayerKind::kDepth)) return;
   float& nearest = values(LayerKind::kDepth)[at];

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "dioptre/film/layers.h"
@@ -31,7 +31,7 @@ class PixelLayers {
   template <class Pixel>
   void measure(std::size_t at, PixelLog& log, Pixel&& pixel) {
     if (!wanted_.has_any(LayerSet::costs())) return pixel();
-    const Snapshot before(log);
+    const Snapshot before = snapshot(log);
     pixel();
     add_cost(at, before, log);
   }
@@ -43,16 +43,15 @@ class PixelLayers {
   std::vector<ImageLayer> take();
 
  private:
-  /// The state of a log before a pixel.
+  /// What a thread has spent up to some moment.
   struct Snapshot {
-    explicit Snapshot(const PixelLog& log);
-    std::uint64_t rays;
+    std::uint64_t rays = 0;
     WalkCost walks;
-    std::uint64_t spans;
-    std::chrono::steady_clock::duration own_time;
-    std::chrono::steady_clock::time_point begin;
+    std::uint64_t spans = 0;
+    std::int64_t time = 0;  ///< nanoseconds; only if wanted
   };
 
+  Snapshot snapshot(const PixelLog& log) const;
   void add_cost(std::size_t at, const Snapshot& before, PixelLog& log);
   void add(LayerKind kind, std::size_t at, double value);
   std::vector<float>& values(LayerKind kind) { return values_[static_cast<std::size_t>(kind)]; }

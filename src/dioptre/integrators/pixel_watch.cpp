@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dioptre/integrators/thread_time.h"
+
 namespace dioptre {
 namespace {
 
@@ -49,7 +51,8 @@ class CrossingCounter final : public LeafVisitor {
 PixelWatch::PixelWatch(const RenderScene& scene, LayerSet wanted)
     : scene_(scene),
       terms_wanted_(wanted.has_any(LayerSet::terms())),
-      spans_wanted_(wanted.has(LayerKind::kSpans)) {}
+      spans_wanted_(wanted.has(LayerKind::kSpans)),
+      time_wanted_(wanted.has(LayerKind::kTime)) {}
 
 TermLight PixelWatch::take_terms() { return std::exchange(terms_, {}); }
 
@@ -93,11 +96,11 @@ void PixelWatch::end() {
 
 void PixelWatch::count_spans(const Ray& ray, Interval range) {
   if (!spans_wanted_) return;
-  const auto begin = std::chrono::steady_clock::now();
+  const std::int64_t begin = time_wanted_ ? thread_nanoseconds() : 0;
   CrossingCounter counter(scene_.items(), ray, crossings_);
   scene_.accelerator().visit(ray, range, counter);
   spans_ += counter.count;
-  own_time_ += std::chrono::steady_clock::now() - begin;
+  if (time_wanted_) own_time_ += thread_nanoseconds() - begin;
 }
 
 }  // namespace dioptre

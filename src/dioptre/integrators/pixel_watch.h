@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -25,8 +24,8 @@ class PixelWatch final : public RayObserver {
 
   /// All crossings so far of the watched rays with items, between where they start and end.
   std::uint64_t spans() const { return spans_; }
-  /// How long counting those took.
-  std::chrono::steady_clock::duration own_time() const { return own_time_; }
+  /// How long counting those took, in nanoseconds; noted only if the time is wanted.
+  std::int64_t own_time() const { return own_time_; }
 
   void begin(const RayStart& start) override;
   void meet(const Hit& hit, const SurfaceInteraction& at, const TextureSample& texture) override;
@@ -47,12 +46,12 @@ class PixelWatch final : public RayObserver {
   void count_spans(const Ray& ray, Interval range);
 
   const RenderScene& scene_;
-  bool terms_wanted_, spans_wanted_;
+  bool terms_wanted_, spans_wanted_, time_wanted_;
   std::vector<OpenRay> open_;
   TermLight terms_{};
   double depth_ = kInfinity;
   std::uint64_t spans_ = 0;
-  std::chrono::steady_clock::duration own_time_{};
+  std::int64_t own_time_ = 0;
   Crossings crossings_;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/integrators/render_image.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <mutex>
 #include <type_traits>
@@ -11,18 +9,12 @@
 #include "dioptre/integrators/eye_rays.h"
 #include "dioptre/integrators/pixel_layers.h"
 #include "dioptre/integrators/term_sample.h"
+#include "dioptre/integrators/thread_time.h"
 
 namespace dioptre {
 namespace {
 
 constexpr std::uint32_t kTile = 16;
-
-/// The processor time of this thread.
-double thread_seconds() {
-  timespec time{};
-  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) != 0) return 0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// What is to be believed of the times in a tile: where queries would have taken far longer than
 /// all of the tile, the thread was put aside within one that was timed.
@@ -128,7 +120,7 @@ class Render {
     const std::uint32_t tiles = across * ((rows + kTile - 1) / kTile);
     std::uint32_t finished = 0;
     parallel_for(tiles, options_.threads, context_.cancel, [&](std::uint32_t tile) {
-      const double begin = thread_seconds();
+      const std::int64_t begin = thread_nanoseconds();
       PixelLog log(scene_, options_.layers);
       const std::uint32_t x0 = region_.first_column + tile % across * kTile;
       const std::uint32_t y0 = region_.first_row + tile / across * kTile;
@@ -138,7 +130,7 @@ class Render {
         }
         if (stopped()) break;
       }
-      const double busy = thread_seconds() - begin;
+      const double busy = 1e-9 * static_cast<double>(thread_nanoseconds() - begin);
       const std::lock_guard lock(mutex_);
       result_.rays += log.rays.counts;
       const QueryTimes times = credible(log.rays.clock.times(), busy);
