@@ -25,6 +25,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"--accelerator", "NAME", "Accelerator", "how rays find objects"},
     {"--accel", "NAME", "Accelerator", "the same"},
     {"--integrator", "NAME", "Integrator", "how light is computed"},
+    {"--shadows", nullptr, "Shadows", "cast shadows where the integrator leaves them out (appel)"},
     {"--attenuation", "K", "Attenuation", "of mirrored and refracted rays by length; or KR,KT"},
     {"--layers", "NAMES", "Layers", "terms, cost, all or single ones, in the .exr"},
     {"--terms", nullptr, "Terms", "write Whitted's five terms as PNGs beside the image"},

@@ -215,6 +215,7 @@ const Option kOptions[] = {
     {"Report_Html", text<&S::html_report>},
     {"Report_Json", text<&S::json_report>},
     {"Sampling_Method", whole<1.0, 2.0, &S::sampling_method>},
+    {"Shadows", flag<&S::shadows>},
     {"Start_Column", number<0.0, kBig, &S::start_column>},
     {"Start_Row", number<0.0, kBig, &S::start_row>},
     {"Subset_End_Frame", number<0.0, kBig, &S::subset_end>},

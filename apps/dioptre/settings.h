@@ -49,6 +49,7 @@ struct AppSettings {
   std::string accelerator = "bvh";   ///< for compare several, with commas in between
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
+  bool shadows = false;  ///< of the integrators that cast none unless asked
   double reflected_attenuation = 0, transmitted_attenuation = 0;  ///< see LengthAttenuation
 
   double clock = 0;

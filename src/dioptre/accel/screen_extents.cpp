@@ -95,8 +95,20 @@ class ScreenBuilder {
   Vec3 eye_;
 };
 
+/// Passes on what the hierarchy for the other rays finds.
+struct ScreenExtents::Report {
+  const std::vector<std::uint32_t>& item_of;
+  LeafVisitor& leaf;
+  WalkCost& cost;
+  void step() { ++cost.nodes; }
+  bool operator()(std::uint32_t index, Interval& left) {
+    ++cost.items;
+    return leaf.visit(item_of[index], left);
+  }
+};
+
 ScreenExtents::ScreenExtents(std::span<const BoxedItem> items, std::optional<Vec3> eye)
-    : others_(boxes_of(items), 2) {
+    : others_(boxes_of(items), 1) {
   for (const BoxedItem& each : items) item_of_.push_back(each.item);
   if (!eye || !moderate(*eye)) return;
   eye_ = eye;
@@ -117,10 +129,7 @@ void ScreenExtents::walk(const Ray& ray, Interval range, LeafVisitor& leaf, Walk
     look(ray, range, leaf, cost);
     return;
   }
-  others_.traverse(ray, range, [&](std::uint32_t index, Interval& left) {
-    ++cost.items;
-    return leaf.visit(item_of_[index], left);
-  });
+  others_.traverse(ray, range, Report{item_of_, leaf, cost});
 }
 
 void ScreenExtents::look(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const {
@@ -151,9 +160,11 @@ void ScreenExtents::items_at(Vec3 p, std::vector<std::uint32_t>& items) const {
 }
 
 AcceleratorStatistics ScreenExtents::statistics() const {
-  return {first_.size(), listed_.size(),
+  return {
+      first_.size() + others_.node_count(), listed_.size() + others_.item_count(),
+      others_.bytes() +
           (first_.capacity() + listed_.capacity() + item_of_.capacity()) * sizeof(std::uint32_t) +
-              seen_.capacity() * sizeof(Seen)};
+          seen_.capacity() * sizeof(Seen)};
 }
 
 }  // namespace dioptre

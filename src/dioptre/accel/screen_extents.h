@@ -39,6 +39,8 @@ class ScreenExtents {
     std::uint32_t item;
   };
 
+  struct Report;
+
   void look(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const;
   std::span<const std::uint32_t> covering(Vec3 direction) const;
 

@@ -60,6 +60,7 @@ struct LengthAttenuation {
 struct IntegratorOptions {
   std::uint32_t quality = 9;  ///< 0 to 11, as in POV-Ray's +Q: 4 adds shadows, 8 reflection
   LengthAttenuation attenuation;
+  bool appel_shadows = false;  ///< whether plain ray casting looks for shadows
 };
 
 /// The names that make_integrator knows, the default first.

@@ -2,13 +2,32 @@
 #include <array>
 #include <string>
 
+#include "dioptre/integrators/appel.h"
 #include "dioptre/integrators/integrator.h"
 #include "dioptre/integrators/whitted.h"
 
 namespace dioptre {
 namespace {
 
-constexpr std::array<std::string_view, 1> kNames = {"whitted"};
+using Made = std::unique_ptr<const RayIntegrator>;
+
+template <class Integrator>
+Made make(const RenderScene& scene, const IntegratorOptions& options) {
+  return std::make_unique<Integrator>(scene, options);
+}
+
+/// The one table of integrators.
+struct Row {
+  std::string_view name;
+  Made (*make)(const RenderScene&, const IntegratorOptions&);
+};
+constexpr std::array kTable{Row{"whitted", make<Whitted>}, Row{"appel", make<Appel>}};
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, kTable.size()> names;
+  for (std::size_t i = 0; i < kTable.size(); ++i) names[i] = kTable[i].name;
+  return names;
+}();
 
 }  // namespace
 
@@ -17,7 +36,9 @@ std::span<const std::string_view> integrator_names() { return kNames; }
 Result<std::unique_ptr<const RayIntegrator>> make_integrator(std::string_view name,
                                                              const RenderScene& scene,
                                                              const IntegratorOptions& options) {
-  if (name == kNames[0]) return std::make_unique<Whitted>(scene, options);
+  for (const Row& row : kTable) {
+    if (row.name == name) return row.make(scene, options);
+  }
   std::string known;
   for (const std::string_view each : kNames)
     known += (known.empty() ? "" : ", ") + std::string(each);

@@ -13,8 +13,6 @@
 namespace dioptre {
 namespace {
 
-Vec3 facing(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -normal : normal; }
-
 /// The mirror direction at a disturbed normal. A normal that faces away gives way to the true one,
 /// and what would go below the surface is turned up again (measured).
 Vec3 mirror_direction(Vec3 direction, Vec3 normal, Vec3 true_normal) {
@@ -35,12 +33,6 @@ Color filter_of(const TextureSample& sample, const TextureSample::Stack& stack) 
 }
 
 double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
-
-/// Lights of a group shine on that group alone; the others on what is in no group or in one that
-/// lets them in.
-bool lights(const Light& light, const Part& part) {
-  return light.group == part.light_group || (light.group == 0 && part.global_lights);
-}
 
 /// What an interior leaves of the light that comes through its surface from behind, for a ray that
 /// was inside for `distance` since the surface it met last. What the surface itself shines or
@@ -100,7 +92,7 @@ struct Whitted::Scratch {
 
 Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
     : scene_(scene),
-      direct_(scene, options),
+      local_(scene, options),
       sky_(scene),
       rainbows_(scene.scene()),
       has_fog_(!scene.scene().atmosphere.fogs.empty()),
@@ -169,11 +161,7 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
       watched.receive(LightTerm::kBackground, reached * sky);
       return {radiance, 1 - max_component(through)};
     }
-    SurfaceInteraction at = scene_.interaction(path.ray, hit);
-    const bool from_inside = dot(at.surface.normal, path.ray.direction) > 0;
-    at.surface.normal = facing(at.surface.normal, path.ray.direction);
-    at.surface.shading_normal = facing(at.surface.shading_normal, path.ray.direction);
-    scene_.evaluate_texture(at, path.ray.direction, from_inside, sample);
+    const SurfaceInteraction at = see(scene_, path.ray, hit, sample);
     if (scratch.log->observer) scratch.log->observer->meet(hit, at, sample);
 
     bool goes_on = false;
@@ -181,7 +169,7 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
     Color next_through;
     for (std::size_t i = 0; i < sample.stacks.size(); ++i) {
       const TextureSample::Stack stack = sample.stacks[i];
-      const Vertex vertex{at, sample, stack, path, reached * stack.weight};
+      const Vertex vertex{{at, sample, stack, path.ray.direction, reached * stack.weight}, path};
       Color transmitted = filter_of(sample, stack);
       const Passage passage = is_black(transmitted) || !reflections_
                                   ? Passage::kNone
@@ -240,18 +228,7 @@ Color Whitted::left_by_mirrors(const Vertex& vertex) const {
 /// The light of one stack of layers by itself and, `with_mirrors`, by its mirrors.
 Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const {
   const Part& part = *vertex.at.part;
-  const Color ambient_light = scene_.scene().settings.ambient_light;
-  Color radiance;
-  Color filter{1, 1, 1};
-  for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
-    radiance += filter * glow(vertex.layer(i), ambient_light);
-    filter *= vertex.layer(i).pigment.transmittance();
-  }
-  if (scratch.log->observer)
-    scratch.log->observer->receive(LightTerm::kAmbient, vertex.share * radiance);
-  for (const LightSource& light : direct_.lights()) {
-    if (lights(light.light(), part)) radiance += light_from(light, vertex, scratch);
-  }
+  Color radiance = local_.at(vertex, *scratch.log);
   for (std::uint32_t i = 0; i < vertex.stack.count && with_mirrors && reflections_; ++i) {
     const SurfaceLayer& layer = vertex.layer(i);
     if (!mirrors(layer)) continue;
@@ -260,34 +237,6 @@ Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) 
     if (!is_black(share)) radiance += share * mirrored(vertex, layer.normal, share, scratch);
   }
   return radiance;
-}
-
-/// The light of one source, shaded by every layer of the stack. The shadow is looked for once, and
-/// only if a layer can show the light.
-Color Whitted::light_from(const LightSource& light, const Vertex& vertex, Scratch& scratch) const {
-  const SurfaceInteraction& at = vertex.at;
-  const auto illumination = light.illuminate(at.surface.position);
-  if (!illumination) return {};
-  ReflectedLight reflected;
-  Color filter{1, 1, 1};
-  for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
-    const SurfaceLayer& layer = vertex.layer(i);
-    const LightGeometry geometry{layer.normal, -vertex.path.ray.direction, illumination->to_light};
-    const ReflectedLight own =
-        reflected_light(layer, geometry, at.part->double_illuminate, light.light().shadowless);
-    reflected.diffuse += filter * own.diffuse;
-    reflected.highlights += filter * own.highlights;
-    filter *= layer.pigment.transmittance();
-  }
-  if (is_black(reflected.sum())) return {};
-  const Color arriving =
-      illumination->intensity * direct_.visibility(light, *illumination, at, *scratch.log);
-  if (scratch.log->observer) {
-    const Color share = vertex.share * arriving;
-    scratch.log->observer->receive(LightTerm::kDiffuse, share * reflected.diffuse);
-    scratch.log->observer->receive(LightTerm::kHighlight, share * reflected.highlights);
-  }
-  return reflected.sum() * arriving;
 }
 
 /// What a surface mirrors at a normal; black where the ray would count for too little.

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "dioptre/integrators/direct_light.h"
 #include "dioptre/integrators/integrator.h"
+#include "dioptre/integrators/local_light.h"
 #include "dioptre/integrators/media_stack.h"
 #include "dioptre/integrators/rainbow.h"
 
@@ -34,13 +34,8 @@ class Whitted final : public RayIntegrator {
   enum class Passage { kNone, kThrough, kMirrored };
   struct Scratch;
   /// A point of a path where it is shaded.
-  struct Vertex {
-    const SurfaceInteraction& at;
-    const TextureSample& sample;
-    TextureSample::Stack stack;
+  struct Vertex : SeenPoint {
     const Path& path;
-    Color share;  ///< of its light that the ray brings to where it began
-    const SurfaceLayer& layer(std::uint32_t i) const { return sample.layers[stack.first + i]; }
   };
 
   void begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const;
@@ -48,13 +43,12 @@ class Whitted final : public RayIntegrator {
   Passage transmit(const Vertex& vertex, const Hit& hit, Color& transmitted, Path& next) const;
   Color left_by_mirrors(const Vertex& vertex) const;
   Color shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const;
-  Color light_from(const LightSource& light, const Vertex& vertex, Scratch& scratch) const;
   Color mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const;
   Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;
 
   const RenderScene& scene_;
-  DirectLight direct_;
+  LocalLight local_;
   Sky sky_;
   Rainbows rainbows_;
   bool has_fog_;
