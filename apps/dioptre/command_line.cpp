@@ -25,6 +25,8 @@ constexpr OwnOption kOwnOptions[] = {
     {"--accelerator", "NAME", "Accelerator", "how rays find objects"},
     {"--accel", "NAME", "Accelerator", "the same"},
     {"--integrator", "NAME", "Integrator", "how light is computed"},
+    {"--penumbra", "SHAPE", "Penumbra", "of area lights: grid, rectangle, disc or sphere"},
+    {"--light-samples", "N", "Light_Samples", "of an area light, but for the grid"},
     {"--shadows", nullptr, "Shadows", "cast shadows where the integrator leaves them out (appel)"},
     {"--attenuation", "K", "Attenuation", "of mirrored and refracted rays by length; or KR,KT"},
     {"--layers", "NAMES", "Layers", "terms, cost, all or single ones, in the .exr"},

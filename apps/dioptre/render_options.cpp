@@ -42,6 +42,7 @@ RenderOptions render_options(const AppSettings& s) {
   options.antialias.gamma = s.antialias_gamma;
   options.antialias.jitter = s.jitter ? s.jitter_amount : 0;
   options.integrator_options.quality = s.quality;
+  options.integrator_options.penumbra = {s.penumbra, s.light_samples};
   options.integrator_options.appel_shadows = s.shadows;
   options.integrator_options.attenuation = {s.reflected_attenuation, s.transmitted_attenuation};
   options.integrator = s.integrator;

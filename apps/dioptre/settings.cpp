@@ -124,6 +124,15 @@ Result<void> progress(AppSettings& settings, Value text) {
   return expected("auto, plain, json or none", text);
 }
 
+Result<void> penumbra(AppSettings& settings, Value text) {
+  for (std::size_t i = 0; i < kLightShapeNames.size(); ++i) {
+    if (text != kLightShapeNames[i]) continue;
+    settings.penumbra = static_cast<LightShape>(i);
+    return {};
+  }
+  return expected("grid, rectangle, disc or sphere", text);
+}
+
 Result<void> accelerator(AppSettings& settings, Value value) {
   settings.accelerator_is_named = true;
   return text<&AppSettings::accelerator>(settings, value);
@@ -192,6 +201,7 @@ const Option kOptions[] = {
     {"Jitter_Amount", number<0.0, 1e6, &S::jitter_amount>},
     {"Layers", layers<&S::layers>},
     {"Library_Path", library_path},
+    {"Light_Samples", whole<1.0, 65536.0, &S::light_samples>},
     {"Max_Array_Elements", whole<0.0, 4e9, &S::max_array_elements>},
     {"Max_Nesting", whole<1.0, 1e5, &S::max_nesting>},
     {"Max_Objects", whole<0.0, 4e9, &S::max_objects>},
@@ -205,6 +215,7 @@ const Option kOptions[] = {
     {"Output_File_Name", text<&S::output>},
     {"Output_File_Type", file_type},
     {"Output_to_File", flag<&S::output_to_file>},
+    {"Penumbra", penumbra},
     {"Post_Frame_Command", refuse_command},
     {"Post_Scene_Command", refuse_command},
     {"Pre_Frame_Command", refuse_command},

@@ -9,6 +9,7 @@
 
 #include "dioptre/core/result.h"
 #include "dioptre/film/layers.h"
+#include "dioptre/lights/light_shape.h"
 
 namespace dioptre::app {
 
@@ -49,6 +50,8 @@ struct AppSettings {
   std::string accelerator = "bvh";   ///< for compare several, with commas in between
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
+  LightShape penumbra = LightShape::kGrid;
+  std::uint32_t light_samples = 64;
   bool shadows = false;  ///< of the integrators that cast none unless asked
   double reflected_attenuation = 0, transmitted_attenuation = 0;  ///< see LengthAttenuation
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/integrators/direct_light.h"
 
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "dioptre/core/rng.h"
 #include "dioptre/integrators/spawn.h"
 
 namespace dioptre {
@@ -65,7 +67,7 @@ class GridMean {
 }  // namespace
 
 DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& options)
-    : scene_(scene), media_(scene), shadows_(options.quality >= 4) {
+    : scene_(scene), media_(scene), penumbra_(options.penumbra), shadows_(options.quality >= 4) {
   for (const Light& light : scene.scene().lights) lights_.emplace_back(light);
 }
 
@@ -116,6 +118,28 @@ Color DirectLight::to_point(std::size_t number, Vec3 light_position, const Surfa
   return along(number, to_light / distance, distance, at, blocker, log);
 }
 
+/// The mean over samples of an area light's shape, one in each cell of the square that stands for
+/// it. Where in its cell a sample lies follows from the point that is lit.
+Color DirectLight::shape_mean(std::size_t number, const SurfaceInteraction& at, RayLog& log) const {
+  const Vec3 p = at.surface.position;
+  std::uint64_t place = number;
+  for (const double v : {p.x, p.y, p.z}) place = mix_bits(place ^ std::bit_cast<std::uint64_t>(v));
+  const auto random = [&](std::uint32_t cell, std::uint32_t dimension) {
+    return random_at(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(place),
+                     cell, dimension);
+  };
+  const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(penumbra_.samples)));
+  Color sum;
+  const Item* blocker = nullptr;
+  for (std::uint32_t cell = 0; cell < side * side; ++cell) {
+    const double u = (cell % side + random(cell, 0)) / side;
+    const double v = (cell / side + random(cell, 1)) / side;
+    const Vec3 there = lights_[number].shape_point(penumbra_.shape, u, v, p);
+    sum += to_point(number, there, at, blocker, log);
+  }
+  return sum * (1.0f / static_cast<float>(side * side));
+}
+
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
                               const SurfaceInteraction& at, RayLog& log) const {
   const Light& light = source.light();
@@ -126,6 +150,7 @@ Color DirectLight::visibility(const LightSource& source, const Illumination& ill
   if (!light.is_area) {
     return along(number, illumination.to_light, illumination.distance, at, blocker, log);
   }
+  if (penumbra_.shape != LightShape::kGrid) return shape_mean(number, at, log);
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
     return to_point(number, source.sample(i, j, at.surface.position), at, blocker, log);
   };

@@ -23,6 +23,7 @@ class DirectLight {
                    const SurfaceInteraction& at, RayLog& log) const;
 
  private:
+  Color shape_mean(std::size_t number, const SurfaceInteraction& at, RayLog& log) const;
   Color through(const Light& light, const Ray& ray, Interval range, const Item*& blocker,
                 RayLog& log) const;
   Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
@@ -33,6 +34,7 @@ class DirectLight {
   const RenderScene& scene_;
   std::vector<LightSource> lights_;
   ShadowMedia media_;
+  Penumbra penumbra_;
   bool shadows_;
 };
 

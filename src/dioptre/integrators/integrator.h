@@ -11,6 +11,7 @@
 #include "dioptre/core/result.h"
 #include "dioptre/integrators/query_clock.h"
 #include "dioptre/integrators/ray_observer.h"
+#include "dioptre/lights/light_shape.h"
 #include "dioptre/render/render_scene.h"
 
 namespace dioptre {
@@ -56,10 +57,19 @@ struct LengthAttenuation {
   bool operator==(const LengthAttenuation&) const = default;
 };
 
+/// How area lights are sampled.
+struct Penumbra {
+  LightShape shape = LightShape::kGrid;
+  /// Of a shape other than the grid: at least as many, one at random in each cell of a grid (R. L.
+  /// Cook, "Stochastic Sampling in Computer Graphics", 1986).
+  std::uint32_t samples = 64;
+};
+
 /// Which parts of the light transport are computed.
 struct IntegratorOptions {
   std::uint32_t quality = 9;  ///< 0 to 11, as in POV-Ray's +Q: 4 adds shadows, 8 reflection
   LengthAttenuation attenuation;
+  Penumbra penumbra;
   bool appel_shadows = false;  ///< whether plain ray casting looks for shadows
 };
 

@@ -327,5 +327,43 @@ TEST(CameraNormal, BendsTheRaysAsIfTheyWereNormalsOnTheImage) {
   EXPECT_NEAR(x / std::hypot(x, 1.0), 0.5 * 0.1 * 4 / 3, 0.006);
 }
 
+/// What of a light two units across is seen from a wall past a straight edge half way, which hides
+/// all to the left of `edge` on the light.
+double share_past_an_edge(LightShape shape, double edge, std::uint32_t samples) {
+  LitScene lit;
+  lit.look_at_wall_past_the_light();
+  lit.scene.camera.location = {8, 0, -1};
+  lit.scene.camera.direction = normalize(Vec3{-8, 0, 1});
+  Light& light = lit.scene.lights.back();
+  light.location = {0, 0, -10};
+  light.is_area = true;
+  light.area.axis1 = {2, 0, 0};
+  light.area.axis2 = {0, 2, 0};
+  lit.add(Box{{-100, -100, -5.001}, {edge / 2, 100, -5}}, {{1, 1, 1}}, finish_of(0, 0));
+  RenderOptions options{.width = 1, .height = 1};
+  options.integrator_options.penumbra = {shape, samples};
+  const auto result = render_image(lit.scene, {}, options, {});
+  EXPECT_TRUE(result);
+  return result->image.at(0, 0).g;
+}
+
+TEST(Penumbra, IsThePartOfTheLightThatIsSeen) {
+  for (const double edge : {-0.5, 0.0, 0.3}) {
+    const double segment = (std::acos(edge) - edge * std::sqrt(1 - edge * edge)) / std::numbers::pi;
+    EXPECT_NEAR(share_past_an_edge(LightShape::kRectangle, edge, 10000), (1 - edge) / 2, 5e-3);
+    EXPECT_NEAR(share_past_an_edge(LightShape::kDisc, edge, 10000), segment, 5e-3);
+  }
+  EXPECT_NEAR(share_past_an_edge(LightShape::kSphere, 0, 10000), 0.5, 5e-3);
+  EXPECT_NEAR(share_past_an_edge(LightShape::kSphere, -1.1, 100), 1, 1e-6);
+}
+
+TEST(Penumbra, GetsSmootherWithMoreSamples) {
+  for (const LightShape shape : {LightShape::kRectangle, LightShape::kDisc, LightShape::kSphere}) {
+    const double exact = share_past_an_edge(shape, 0.1, 40000);
+    EXPECT_NEAR(share_past_an_edge(shape, 0.1, 16), exact, 0.13);
+    EXPECT_NEAR(share_past_an_edge(shape, 0.1, 900), exact, 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace dioptre

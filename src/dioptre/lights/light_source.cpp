@@ -75,9 +75,19 @@ std::optional<Illumination> LightSource::from(Vec3 location, Vec3 point) const {
   return result;
 }
 
+/// Both axes of an area light: the scene's own, or turned to face a point.
+std::array<Vec3, 2> LightSource::area_axes(Vec3 seen_from) const {
+  const AreaLight& area = light_.area;
+  const Vec3 towards = seen_from - light_.location;
+  const double distance = length(towards);
+  if (!area.orient || !(distance > 0)) return {area.axis1, area.axis2};
+  const Vec3 n = towards / distance;
+  const Vec3 side = std::fabs(n.y) < 0.999 ? normalize(cross(Vec3{0, 1, 0}, n)) : Vec3{1, 0, 0};
+  return {length(area.axis1) * side, length(area.axis2) * cross(n, side)};
+}
+
 Vec3 LightSource::sample(std::uint32_t i, std::uint32_t j, Vec3 seen_from) const {
   const AreaLight& area = light_.area;
-  Vec3 axis1 = area.axis1, axis2 = area.axis2;
   double u = along(i, area.size1), v = along(j, area.size2);
   if (area.circular) {
     // The square mapped onto a disc, each ring of the square to a ring of the disc.
@@ -85,17 +95,18 @@ Vec3 LightSource::sample(std::uint32_t i, std::uint32_t j, Vec3 seen_from) const
     const double radius = std::hypot(u, v);
     if (radius > 0) u *= ring / radius, v *= ring / radius;
   }
-  if (area.orient) {
-    const Vec3 towards = seen_from - light_.location;
-    const double distance = length(towards);
-    if (distance > 0) {
-      const Vec3 n = towards / distance;
-      const Vec3 side = std::fabs(n.y) < 0.999 ? normalize(cross(Vec3{0, 1, 0}, n)) : Vec3{1, 0, 0};
-      axis1 = length(axis1) * side;
-      axis2 = length(axis2) * cross(n, side);
-    }
-  }
+  const auto [axis1, axis2] = area_axes(seen_from);
   return light_.location + u * axis1 + v * axis2;
+}
+
+Vec3 LightSource::shape_point(LightShape shape, double u, double v, Vec3 seen_from) const {
+  const auto [axis1, axis2] = area_axes(seen_from);
+  if (shape == LightShape::kSphere) {
+    const double radius = 0.25 * (length(axis1) + length(axis2));
+    return sphere_point(light_.location, radius, seen_from, u, v);
+  }
+  const Vec2 at = shape == LightShape::kDisc ? disc_point(u, v) : Vec2{u - 0.5, v - 0.5};
+  return light_.location + at.x * axis1 + at.y * axis2;
 }
 
 }  // namespace dioptre

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "dioptre/core/color.h"
 #include "dioptre/core/vec.h"
+#include "dioptre/lights/light_shape.h"
 #include "dioptre/scene/light.h"
 
 namespace dioptre {
@@ -18,7 +20,7 @@ struct Illumination {
   /// To the light, or to the plane where its parallel rays begin. Parallel light also shines behind
   /// that plane, without shadows; there the distance is negative (measured).
   double distance = 0;
-  Color intensity;      ///< not black
+  Color intensity;  ///< not black
 };
 
 /// A light prepared for shading. The formulas are those of scene files: 2 / (1 + (d/fd)^power)
@@ -38,7 +40,12 @@ class LightSource {
   /// Where sample (i, j) of an area light stands, as seen from a point; i < size1, j < size2.
   Vec3 sample(std::uint32_t i, std::uint32_t j, Vec3 seen_from) const;
 
+  /// Where (u, v) of the unit square lies on an area light that is taken for a shape other than the
+  /// grid, as seen from a point.
+  Vec3 shape_point(LightShape shape, double u, double v, Vec3 seen_from) const;
+
  private:
+  std::array<Vec3, 2> area_axes(Vec3 seen_from) const;
   double cone(Vec3 to_light) const;
   double beam(Vec3 point) const;
 

@@ -52,8 +52,8 @@ TEST(LightSource, ASpotIsFullInsideItsRadiusAndEndsAtItsFalloff) {
   EXPECT_EQ(at_angle(40.01), 0);
   EXPECT_EQ(at_angle(180), 0);
   // Half way in the cosine the edge is at one half.
-  const double middle = (std::cos(20 * 3.14159265358979 / 180) +
-                         std::cos(40 * 3.14159265358979 / 180)) / 2;
+  const double middle =
+      (std::cos(20 * 3.14159265358979 / 180) + std::cos(40 * 3.14159265358979 / 180)) / 2;
   EXPECT_NEAR(at_angle(std::acos(middle) * 180 / 3.14159265358979), 0.5, 1e-5);
   for (double a = 0; a < 45; a += 0.5) EXPECT_GE(at_angle(a), at_angle(a + 0.5));
 }
