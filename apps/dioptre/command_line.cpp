@@ -25,6 +25,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"--accelerator", "NAME", "Accelerator", "how rays find objects"},
     {"--accel", "NAME", "Accelerator", "the same"},
     {"--integrator", "NAME", "Integrator", "how light is computed"},
+    {"--polygon-test", "NAME", "Polygon_Test", "of points in polygons: crossings or angles"},
     {"--penumbra", "SHAPE", "Penumbra", "of area lights: grid, rectangle, disc or sphere"},
     {"--light-samples", "N", "Light_Samples", "of an area light, but for the grid"},
     {"--shadows", nullptr, "Shadows", "cast shadows where the integrator leaves them out (appel)"},

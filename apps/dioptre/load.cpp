@@ -88,9 +88,7 @@ bool is_wanted(const AppSettings& settings, Severity severity) {
   return true;
 }
 
-}  // namespace
-
-std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
+std::optional<LoadedScene> read(const AppSettings& settings, std::int64_t frame,
                                 const std::atomic<bool>* cancel) {
   if (to_lower(settings.input).ends_with(".json")) return load_json(settings.input);
   Diagnostics diagnostics([&](const Diagnostic& message) {
@@ -103,6 +101,23 @@ std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
   if (scene && !diagnostics.has_errors()) return std::move(*scene);
   if (!diagnostics.has_errors()) report_error(scene.error().message);
   return std::nullopt;
+}
+
+/// Says how points are held against the polygons of a scene.
+void set_polygon_test(Scene& scene, PolygonTest test) {
+  for (Object& object : scene.objects) {
+    auto* const shape = std::get_if<ShapeData>(&object.geometry);
+    if (auto* const polygon = shape ? std::get_if<Polygon>(shape) : nullptr) polygon->test = test;
+  }
+}
+
+}  // namespace
+
+std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
+                                const std::atomic<bool>* cancel) {
+  std::optional<LoadedScene> loaded = read(settings, frame, cancel);
+  if (loaded) set_polygon_test(loaded->scene, settings.polygon_test);
+  return loaded;
 }
 
 void print_message(const Diagnostic& message) {

@@ -124,6 +124,12 @@ Result<void> progress(AppSettings& settings, Value text) {
   return expected("auto, plain, json or none", text);
 }
 
+Result<void> polygon_test(AppSettings& settings, Value text) {
+  if (text != "crossings" && text != "angles") return expected("crossings or angles", text);
+  settings.polygon_test = text == "angles" ? PolygonTest::kAngles : PolygonTest::kCrossings;
+  return {};
+}
+
 Result<void> penumbra(AppSettings& settings, Value text) {
   for (std::size_t i = 0; i < kLightShapeNames.size(); ++i) {
     if (text != kLightShapeNames[i]) continue;
@@ -216,6 +222,7 @@ const Option kOptions[] = {
     {"Output_File_Type", file_type},
     {"Output_to_File", flag<&S::output_to_file>},
     {"Penumbra", penumbra},
+    {"Polygon_Test", polygon_test},
     {"Post_Frame_Command", refuse_command},
     {"Post_Scene_Command", refuse_command},
     {"Pre_Frame_Command", refuse_command},

@@ -9,6 +9,7 @@
 
 #include "dioptre/core/result.h"
 #include "dioptre/film/layers.h"
+#include "dioptre/geometry/polygon/polygon.h"
 #include "dioptre/lights/light_shape.h"
 
 namespace dioptre::app {
@@ -50,6 +51,7 @@ struct AppSettings {
   std::string accelerator = "bvh";   ///< for compare several, with commas in between
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
+  PolygonTest polygon_test = PolygonTest::kCrossings;
   LightShape penumbra = LightShape::kGrid;
   std::uint32_t light_samples = 64;
   bool shadows = false;  ///< of the integrators that cast none unless asked

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dioptre/geometry/outline/outline.h"
+#include "dioptre/geometry/polygon/angle_sum.h"
 #include "dioptre/geometry/triangle/smooth_normal.h"
 
 namespace dioptre {
@@ -45,6 +46,13 @@ class PreparedPolygon final : public Shape {
       }
     }
     outline_.close();
+    if (polygon.test == PolygonTest::kAngles) {
+      for (const std::vector<Vec3>& points : polygon.outlines) {
+        for (std::vector<Vec2>& ring = rings_.emplace_back(); const Vec3 p : points) {
+          ring.push_back(flat(p));
+        }
+      }
+    }
   }
 
   Bounds bounds() const override { return bounds_; }
@@ -67,7 +75,7 @@ class PreparedPolygon final : public Shape {
     const PlaneBounds& plane = outline_.bounds();
     const Vec2 q = flat(p);
     if (!(plane.min.x <= q.x && q.x <= plane.max.x && plane.min.y <= q.y && q.y <= plane.max.y) ||
-        !outline_.contains_even_odd(q)) {
+        !inside(q)) {
       return false;
     }
     const Vec3 size = abs(anchor_) + abs(p) + abs(ray.origin) + std::fabs(t) * abs(ray.direction);
@@ -87,6 +95,9 @@ class PreparedPolygon final : public Shape {
   }
 
  private:
+  bool inside(Vec2 q) const {
+    return rings_.empty() ? outline_.contains_even_odd(q) : inside_by_angles(rings_, q);
+  }
   Vec2 flat(Vec3 p) const { return {p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]}; }
   /// p moved into the plane along the axis.
   Vec3 lifted(Vec3 p) const {
@@ -97,6 +108,7 @@ class PreparedPolygon final : public Shape {
   Vec3 anchor_, normal_;
   std::size_t axis_ = 0;
   Outline outline_;
+  std::vector<std::vector<Vec2>> rings_;  ///< only for the test by angles
   Bounds bounds_;
 };
 

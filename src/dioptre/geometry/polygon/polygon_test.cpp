@@ -3,7 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
+
+#include "dioptre/geometry/outline/outline.h"
+#include "dioptre/geometry/polygon/angle_sum.h"
 
 namespace dioptre {
 namespace {
@@ -65,6 +71,61 @@ TEST(Polygon, WrongParametersAreRefusedAndALineIsEmpty) {
   EXPECT_TRUE(prepare(p).value()->bounds().empty());
   p.outlines[0][2].y = kInfinity;
   EXPECT_EQ(prepare(p).error().message, "polygon point is not finite");
+}
+
+/// A star-shaped outline around a center: simple, and as ragged as `jag` says.
+std::vector<Vec2> star(std::mt19937_64& random, Vec2 center, double radius, double jag) {
+  std::uniform_real_distribution<double> u(0, 1);
+  const int corners = 3 + static_cast<int>(u(random) * 30);
+  std::vector<Vec2> outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.9 * u(random)) / corners;
+    const double reach = radius * (1 - jag * u(random));
+    outline.push_back(center + reach * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  if (u(random) < 0.5) std::reverse(outline.begin(), outline.end());
+  return outline;
+}
+
+TEST(Polygon, BothTestsAgreeOnAMillionPoints) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> u(-1.1, 1.1);
+  int inside = 0;
+  for (int k = 0; k < 200; ++k) {
+    // Around a hole there is room for the outer outline; in the hole an island.
+    const std::vector<std::vector<Vec2>> rings = {star(random, {}, 1, 0.5),
+                                                  star(random, {}, 0.33, 0.6),
+                                                  star(random, {0.01, 0.02}, 0.05, 0.3)};
+    Outline outline;
+    for (const std::vector<Vec2>& ring : rings) {
+      outline.move_to(ring[0]);
+      for (std::size_t i = 1; i < ring.size(); ++i) outline.add(line(ring[i - 1], ring[i]));
+    }
+    outline.close();
+    for (int i = 0; i < 5000; ++i) {
+      const Vec2 p{u(random), u(random)};
+      const bool by_angles = inside_by_angles(rings, p);
+      ASSERT_EQ(outline.contains_even_odd(p), by_angles) << k << ": " << p.x << ", " << p.y;
+      inside += by_angles ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 100000);
+}
+
+TEST(Polygon, ThePictureDoesNotDependOnTheTest) {
+  Polygon polygon;
+  polygon.outlines = {{{-1, -1, 0}, {1, -1, 0}, {0.2, 0, 0}, {1, 1, 0}, {-1, 1, 0}},
+                      {{-0.6, -0.4, 0}, {-0.1, -0.3, 0}, {-0.4, 0.5, 0}}};
+  const ShapePtr one = prepare(polygon).value();
+  polygon.test = PolygonTest::kAngles;
+  const ShapePtr other = prepare(polygon).value();
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> u(-1.2, 1.2);
+  for (int i = 0; i < 20000; ++i) {
+    const Ray ray{{u(random), u(random), -2}, {0.3 * u(random), 0.3 * u(random), 1}};
+    Crossing a, b;
+    ASSERT_EQ(one->nearest(ray, {0, kInfinity}, a), other->nearest(ray, {0, kInfinity}, b));
+  }
 }
 
 }  // namespace
