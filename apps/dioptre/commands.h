@@ -24,6 +24,8 @@ int render_command(const AppSettings& settings);
 int dump_command(const AppSettings& settings);
 /// Renders a scene with each accelerator and reports what each one does.
 int compare_command(const AppSettings& settings);
+/// Tells how the value of one pixel came about.
+int explain_command(const AppSettings& settings);
 /// Prints how much there is in a scene.
 int info_command(const AppSettings& settings);
 

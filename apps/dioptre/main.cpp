@@ -12,14 +12,28 @@
 namespace dioptre::app {
 namespace {
 
+/// What the program can be told to do.
+struct Command {
+  const char* name;
+  int (*run)(const AppSettings&);
+  const char* arguments;
+  const char* help;
+};
+constexpr Command kCommands[] = {
+    {"render", render_command, "SCENE", "render a POV-Ray 3.7 scene or a .json dump of one"},
+    {"explain", explain_command, "SCENE --pixel X,Y", "tell how a pixel got its colour"},
+    {"compare", compare_command, "SCENE", "compare the accelerators on a scene"},
+    {"dump", dump_command, "SCENE [-o FILE]", "print the scene as JSON"},
+    {"info", info_command, "SCENE", "print how much there is in a scene"},
+};
+
 void print_help() {
+  std::puts("dioptre " DIOPTRE_VERSION ", a ray tracer for exact solids\n");
+  for (const Command& each : kCommands) {
+    const std::string name = &each == kCommands ? "[render]" : each.name;
+    std::printf("  dioptre %-8s %-18s  %s\n", name.c_str(), each.arguments, each.help);
+  }
   std::printf(
-      "dioptre " DIOPTRE_VERSION
-      ", a ray tracer for exact solids\n\n"
-      "  dioptre [render] SCENE [OPTION...]   render a POV-Ray 3.7 scene or a .json dump of one\n"
-      "  dioptre dump SCENE [-o FILE]         print the scene as JSON\n"
-      "  dioptre compare SCENE [OPTION...]    compare the accelerators on a scene\n"
-      "  dioptre info SCENE                   print how much there is in a scene\n"
       "  dioptre --version | --help\n\n"
       "POV-Ray's switches (+W640 +H480 +A0.1 -D), INI names (Width=640) and INI files\n"
       "(file.ini, file.ini[section]) stand anywhere; the last one wins. Beside them:\n\n%s\n"
@@ -29,8 +43,7 @@ void print_help() {
 }
 
 int run(std::vector<std::string> arguments) {
-  using Command = int (*)(const AppSettings&);
-  Command command = render_command;
+  const Command* command = kCommands;
   for (const std::string& argument : arguments) {
     if (argument == "--version") return std::puts("dioptre " DIOPTRE_VERSION), kSuccess;
     if (argument == "--help") return print_help(), kSuccess;
@@ -39,11 +52,10 @@ int run(std::vector<std::string> arguments) {
     const std::string first = arguments.front();
     const bool alone = arguments.size() == 1;
     if (alone && (first == "-h" || first == "-?" || first == "+h")) return print_help(), kSuccess;
-    const bool named = first == "render" || first == "compare" || first == "dump" || first == "info";
-    if (first == "compare") command = compare_command;
-    if (first == "dump") command = dump_command;
-    if (first == "info") command = info_command;
-    if (named) arguments.erase(arguments.begin());
+    for (const Command& each : kCommands) {
+      if (first == each.name) command = &each;
+    }
+    if (first == command->name) arguments.erase(arguments.begin());
   }
   AppSettings settings;
   if (const auto read = read_default_ini(settings); !read) {
@@ -58,7 +70,7 @@ int run(std::vector<std::string> arguments) {
     std::fprintf(stderr, "dioptre: warning: %s has no effect\n", name.c_str());
   }
   if (settings.input.empty()) return report_error("no scene is named; see dioptre --help");
-  return command(settings);
+  return command->run(settings);
 }
 
 }  // namespace

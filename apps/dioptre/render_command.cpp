@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "commands.h"
-#include "dioptre/integrators/render_image.h"
+#include "dioptre/raster/render_picture.h"
 #include "frames.h"
 #include "progress.h"
 #include "render_failure.h"
@@ -38,7 +38,7 @@ int render_frame(const AppSettings& settings, std::int64_t frame) {
   context.cancel = &stop_asked;
   context.progress = [&](const RenderProgress& p) { line.update(p.done, p.rays.total()); };
   auto result =
-      render_image(loaded->scene, compile_options(settings), render_options(settings), context);
+      render_picture(loaded->scene, compile_options(settings), render_options(settings), context);
   if (!result) return report_render_failure(*loaded, result.error().message);
   if (result->cancelled) return report_stop();
   line.finish(*result);

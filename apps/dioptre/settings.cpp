@@ -124,6 +124,17 @@ Result<void> progress(AppSettings& settings, Value text) {
   return expected("auto, plain, json or none", text);
 }
 
+Result<void> pixel(AppSettings& settings, Value text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return expected("column,row", text);
+  constexpr double kMost = 4294967295.0;
+  double column = 0, row = 0;
+  if (auto read = read_number(text.substr(0, comma), 0, kMost, column); !read) return read;
+  if (auto read = read_number(text.substr(comma + 1), 0, kMost, row); !read) return read;
+  settings.pixel = {static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)};
+  return {};
+}
+
 Result<void> polygon_test(AppSettings& settings, Value text) {
   if (text != "crossings" && text != "angles") return expected("crossings or angles", text);
   settings.polygon_test = text == "angles" ? PolygonTest::kAngles : PolygonTest::kCrossings;
@@ -191,6 +202,7 @@ const Option kOptions[] = {
     {"Dither", flag<&S::dither>},
     {"End_Column", number<0.0, kBig, &S::end_column>},
     {"End_Row", number<0.0, kBig, &S::end_row>},
+    {"Explain_Pixel", pixel},
     {"Fatal_Error_Command", refuse_command},
     {"File_Gamma", file_gamma},
     {"Final_Clock", number<-1e300, 1e300, &S::final_clock>},

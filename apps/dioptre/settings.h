@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +54,7 @@ struct AppSettings {
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
   PolygonTest polygon_test = PolygonTest::kCrossings;
+  std::optional<std::array<std::uint32_t, 2>> pixel;  ///< to explain: column and row, from 0
   LightShape penumbra = LightShape::kGrid;
   std::uint32_t light_samples = 64;
   bool shadows = false;  ///< of the integrators that cast none unless asked

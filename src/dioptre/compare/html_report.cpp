@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "dioptre/compare/reports.h"
+#include "dioptre/core/page.h"
 
 namespace dioptre {
 
@@ -33,37 +34,12 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-/// JSON that may stand within a script element: no text in it can end that.
-std::string within_script(std::string_view json) {
-  std::string out;
-  out.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string html_report(const Comparison& comparison, std::string_view png) {
-  struct Fill {
-    std::string_view mark;
-    std::string text;
-  };
-  const std::array fills{Fill{"{{PICTURE}}", base64(png)},
-                         Fill{"{{DATA}}", within_script(json_report(comparison))}};
-  std::string page;
-  std::string_view rest = embedded::compare_page_html();
-  for (const Fill& fill : fills) {
-    const std::size_t mark = rest.find(fill.mark);
-    page.append(rest.substr(0, mark)).append(fill.text);
-    rest.remove_prefix(mark + fill.mark.size());
-  }
-  return page.append(rest);
+  const std::array fills{PageFill{"{{PICTURE}}", base64(png)},
+                         PageFill{"{{DATA}}", within_script(json_report(comparison))}};
+  return fill_page(embedded::compare_page_html(), fills);
 }
 
 }  // namespace dioptre

@@ -28,6 +28,7 @@ class PlacedLeaf {
   /// Whether what lies outside `bounds` is inside the leaf.
   bool outside() const { return outside_; }
   bool solid() const { return leaf_.shape->solid(); }
+  bool complement() const { return leaf_.complement; }
   /// Whether every ray meets the leaf in one stretch at most.
   bool convex() const { return convex_ != nullptr; }
   /// The leaf as a half-space, if it is one.

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/csg/tree.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "dioptre/csg/compiled.h"
 #include "dioptre/csg/evaluation.h"
+#include "dioptre/csg/explainable.h"
 
 namespace dioptre::csg {
 namespace {
 
 /// A tree that is just one leaf.
-class PlacedShape final : public Shape {
+class PlacedShape final : public Explainable {
  public:
   PlacedShape(PlacedLeaf leaf, std::uint32_t id) : leaf_(std::move(leaf)), id_(id) {}
 
@@ -32,13 +34,25 @@ class PlacedShape final : public Shape {
     return true;
   }
 
+  RayStretches explain(const Ray& ray, Interval range) const override {
+    Crossings crossings;
+    const bool inside = leaf_.crossings(ray, range, id_, crossings);
+    RayStretches out;
+    out.nodes.push_back({.is_leaf = true,
+                         .leaf = id_,
+                         .complement = leaf_.complement(),
+                         .inside = stretches_of(crossings, inside, range)});
+    for (const Crossing& crossing : crossings) out.events.push_back(fate_of(out, 0, crossing));
+    return out;
+  }
+
  private:
   PlacedLeaf leaf_;
   std::uint32_t id_;
 };
 
 /// A tree of operators over several leaves.
-class Tree final : public Shape {
+class Tree final : public Explainable {
  public:
   explicit Tree(Compiled compiled) : compiled_(std::move(compiled)) {}
 
@@ -99,6 +113,37 @@ class Tree final : public Shape {
   }
   Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
     return compiled_.placed[crossing.leaf].uv(ray, crossing);
+  }
+
+  RayStretches explain(const Ray& ray, Interval range) const override {
+    RayStretches out;
+    for (const CompiledNode& node : compiled_.nodes) {
+      out.nodes.push_back({.parent = node.parent, .operation = node.operation});
+    }
+    Crossings all;
+    const std::size_t first_leaf = out.nodes.size();
+    std::vector<std::size_t> place(compiled_.placed.size(), 0);
+    for (std::uint32_t i = 0; i < compiled_.placed.size(); ++i) {
+      if (!compiled_.leaves[i].used) continue;
+      const PlacedLeaf& leaf = compiled_.placed[i];
+      Crossings crossings;
+      const bool inside = leaf.crossings(ray, range, i, crossings);
+      place[i] = out.nodes.size();
+      out.nodes.push_back({.parent = compiled_.leaves[i].parent,
+                           .is_leaf = true,
+                           .leaf = i,
+                           .complement = leaf.complement(),
+                           .inside = stretches_of(crossings, inside, range)});
+      all.insert(all.end(), crossings.begin(), crossings.end());
+    }
+    if (first_leaf > 0) join_children(out);
+    std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) {
+      return a.t != b.t ? a.t < b.t : a.leaf < b.leaf;
+    });
+    for (const Crossing& crossing : all) {
+      out.events.push_back(fate_of(out, place[crossing.leaf], crossing));
+    }
+    return out;
   }
 
  private:
