@@ -79,13 +79,20 @@ light_source { <11.3, 5.1, 8.8> Light }
 #declare Points = array[Corners];
 #declare Normals = array[Corners];
 
-// A triangle of three cell corners, mirrored, unless it has shrunk to a line.
+// A triangle of three cell corners, mirrored, unless it has shrunk to a line. It is flat where the
+// cells are so large that its normals point to both of its sides.
 #macro Facet(A, B, C, Flip)
-  #if (vlength(vcross(Points[B] - Points[A], Points[C] - Points[A])) > 1e-6)
-    smooth_triangle {
-      Points[A]*Flip, Normals[A]*Flip, Points[B]*Flip, Normals[B]*Flip, Points[C]*Flip,
-      Normals[C]*Flip
-    }
+  #local Face = vcross(Points[B] - Points[A], Points[C] - Points[A]);
+  #if (vlength(Face) > 1e-6)
+    #local SideA = vdot(Face, Normals[A]);
+    #if (min(SideA*vdot(Face, Normals[B]), SideA*vdot(Face, Normals[C])) > 0)
+      smooth_triangle {
+        Points[A]*Flip, Normals[A]*Flip, Points[B]*Flip, Normals[B]*Flip,
+        Points[C]*Flip, Normals[C]*Flip
+      }
+    #else
+      triangle { Points[A]*Flip, Points[B]*Flip, Points[C]*Flip }
+    #end
   #end
 #end
 
