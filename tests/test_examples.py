@@ -11,13 +11,25 @@ from program import DIOPTRE, ROOT, ProgramTest, images
 class Examples(ProgramTest):
     def test_each_scene_renders_without_a_complaint(self):
         for scene in sorted((ROOT / "examples").glob("*.pov")):
-            with self.subTest(scene=scene.name):
-                outcome = self.dioptre(f"+I{scene}", "+Oout.ppm", "+W64", "+H48", "+FP", "-D",
-                                       "--progress=none", cpu_seconds=60)
-                self.assertEqual(outcome.status, 0, outcome.output)
-                self.assertNotRegex(outcome.output, r"(?i)\b(warning|error|not rendered)\b")
-                image = images.read_ppm(self.folder / "out.ppm")
-                self.assertGreater(len(set(image.rgb)), 16, "hardly anything to see")
+            self.render_clean(scene)
+
+    def test_each_procedural_database_renders_at_small_sizes(self):
+        scenes = sorted((ROOT / "examples/spd").glob("*.pov"))
+        self.assertEqual(len(scenes), 7)
+        for scene in scenes:
+            for size in (1, 3):
+                # A plane face under one distant light has a single colour.
+                self.render_clean(scene, f"Declare=Size={size}", colours=4)
+
+    def render_clean(self, scene, *options, colours=16):
+        """Renders a scene without a complaint, and to a picture that shows something."""
+        with self.subTest(scene=scene.name, options=options):
+            outcome = self.dioptre(f"+I{scene}", "+Oout.ppm", "+W64", "+H48", "+FP", "-D",
+                                   "--progress=none", *options, cpu_seconds=60)
+            self.assertEqual(outcome.status, 0, outcome.output)
+            self.assertNotRegex(outcome.output, r"(?i)\b(warning|error|not rendered)\b")
+            image = images.read_ppm(self.folder / "out.ppm")
+            self.assertGreater(len(set(image.rgb)), colours, "hardly anything to see")
 
     def test_the_commands_of_the_readme_run(self):
         text = (ROOT / "README.md").read_text()
