@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Balls, the sphereflake: one of the Standard Procedural Databases of E. Haines, "A Proposal for
-// Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Balls, the sphereflake, after the scene of that name among the Standard Procedural Databases of
+// E. Haines, "A Proposal for Standard Graphics Environments", IEEE Computer Graphics and
+// Applications 7(11), 1987.
 //
 // Each ball carries nine of a third of its radius, six around its equator and three above, which
 // carry nine in turn. All of them are mirrors in part. It tests rays that scatter over objects

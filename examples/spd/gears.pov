@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gears: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Gears, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
 // A block of Size^3 gears that mesh with those beside them. A gear is two polygons of 144 corners
 // and 144 small ones between; light passes through them in part. It tests concave polygons of many
@@ -16,11 +17,11 @@ background { rgb <0.078, 0.361, 0.753> }
 
 // Right-handed with z upwards; the height of the picture spans 45 degrees.
 camera {
-  location <-1.1, -2.1, 1.6>
+  location <-0.88, -1.68, 1.28>
   sky z
   right -x*image_width/image_height
   angle 2*degrees(atan2(tan(radians(22.5))*image_width/image_height, 1))
-  look_at <0, 0, -0.05>
+  look_at <0, 0, -0.08>
 }
 // Lights share the brightness of one: each of n has 1/sqrt(n).
 #declare Light = rgb 1/sqrt(5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mountain: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Mountain, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
 // A fractal landscape (A. Fournier, D. Fussell and L. Carpenter, "Computer Rendering of Stochastic
 // Models", Communications of the ACM 25(6), 1982): two triangles are split into four at the

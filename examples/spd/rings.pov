@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rings: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Rings, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
 // A pyramid of knots, each of six linked rings: a ring is a pentagon of five cylinders, with a ball
 // at each corner, and faces one of the six axes of the dodecahedron. It tests slender objects that

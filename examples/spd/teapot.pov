@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Teapot: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Teapot, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
-// M. Newell's teapot of 1975: 32 patches of Bezier, each cut into Size by Size cells of two
+// M. Newell's teapot of 1975: 32 Bezier patches, each cut into Size by Size cells of two
 // triangles, on a board of Size by Size squares. It tests triangles whose normals are interpolated.
 //
 // Size:         2    4     8    12     24

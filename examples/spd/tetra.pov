@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tetra: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Tetra, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
 // Sierpinski's tetrahedron: four of half the size in its corners, and nothing in the middle, each
 // made in the same way. It tests rays that pass through a cloud with many holes; most of the

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tree: one of the Standard Procedural Databases of E. Haines, "A Proposal for Standard Graphics
-// Environments", IEEE Computer Graphics and Applications 7(11), 1987.
+// Tree, after the scene of that name among the Standard Procedural Databases of E. Haines, "A
+// Proposal for Standard Graphics Environments", IEEE Computer Graphics and Applications 7(11),
+// 1987.
 //
 // A branch is a cone with a ball on its end, where it forks into two shorter ones (M. Aono and
 // T. Kunii, "Botanical Tree Image Generation", IEEE Computer Graphics and Applications 4(5), 1984).
-// It tests a crowd of tiny objects on a large ground, the teapot in the stadium, under seven lights.
+// It tests a crowd of tiny objects on a large ground under seven lights.
 //
 // Size:       1   3    5    8    11     13
 // Cones:      3  15   63  511  4095  16383   = 2^(Size + 1) - 1, as many spheres, and one polygon

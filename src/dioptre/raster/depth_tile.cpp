@@ -14,7 +14,10 @@ void keep(DepthTile::Pixel& pixel, const Fragment& fragment) {
   };
   if (!nearer(fragment, pixel.back())) return;
   std::size_t place = 0;
-  while (place + 1 < pixel.size() && pixel[place].item != fragment.item) ++place;
+  while (place + 1 < pixel.size() && pixel[place].item != fragment.item &&
+         pixel[place].item != Fragment::kNoItem) {
+    ++place;
+  }
   if (pixel[place].item == fragment.item && !nearer(fragment, pixel[place])) return;
   for (; place > 0 && nearer(fragment, pixel[place - 1]); --place) pixel[place] = pixel[place - 1];
   pixel[place] = fragment;

@@ -28,7 +28,7 @@ struct Fragment {
 class DepthTile {
  public:
   static constexpr std::int64_t kSide = 32;
-  static constexpr std::size_t kKept = 6;
+  static constexpr std::size_t kKept = 16;
   using Pixel = std::array<Fragment, kKept>;  ///< in order of `least`
 
   /// Empties the tile, and lets it stand for these pixels, at most kSide in each direction.

@@ -6,6 +6,7 @@
 
 #include "dioptre/core/parallel.h"
 #include "dioptre/raster/flat_faces.h"
+#include "dioptre/raster/hull_faces.h"
 #include "dioptre/raster/surface_net.h"
 
 namespace dioptre {
@@ -48,7 +49,9 @@ class FaceBuilder {
       const FlatFaces flat = primitives[i] ? add_flat_faces(view_, *primitives[i], scale, i, set_)
                                            : FlatFaces::kCurved;
       if (flat == FlatFaces::kTooMany) return false;
-      if (flat == FlatFaces::kCurved && !gather(i, scale)) return false;
+      if (flat == FlatFaces::kAdded) continue;
+      if (primitives[i] && add_hull_faces(view_, *primitives[i], i, set_)) continue;
+      if (!gather(i, scale)) return false;
     }
     return cut_gathered();
   }
@@ -66,38 +69,47 @@ class FaceBuilder {
     return lines_ < kLinesAtOnce || cut_gathered();
   }
 
+  /// A row of the lattice of a gathered item, and what was found along it.
+  struct Task {
+    std::size_t gathered;
+    NetRow row;
+    std::vector<NetSample> found;
+  };
+
   bool cut_gathered() {
-    struct Task {
-      std::size_t item;
-      NetRow row;
-    };
     std::vector<Task> tasks;
+    std::vector<std::size_t> first_task;  // of each gathered item; and the end
     for (std::size_t i = 0; i < gathered_.size(); ++i) {
-      for (const NetRow& row : net_rows(gathered_[i].lattice)) tasks.push_back({i, row});
+      first_task.push_back(tasks.size());
+      for (const NetRow& row : net_rows(gathered_[i].lattice)) tasks.push_back({i, row, {}});
     }
-    std::vector<std::vector<NetSample>> found(tasks.size());
-    std::atomic<std::size_t> total{0};
-    parallel_for(static_cast<std::uint32_t>(tasks.size()), threads_, cancel_, [&](std::uint32_t i) {
-      if (total > FaceSet::kMost / 8) return;
-      const CurvedItem& curved = gathered_[tasks[i].item];
-      sample_row(curved.lattice, tasks[i].row, *scene_.items()[curved.item].shape, found[i]);
-      total += found[i].size();
-    });
-    if (total > FaceSet::kMost / 8) return false;
+    first_task.push_back(tasks.size());
+    if (!sample(tasks)) return false;
     std::vector<FaceSet> nets(gathered_.size());
-    std::vector<std::size_t> first(gathered_.size() + 1, tasks.size());
-    for (std::size_t i = tasks.size(); i-- > 0;) first[tasks[i].item] = i;
     parallel_for(static_cast<std::uint32_t>(nets.size()), threads_, cancel_, [&](std::uint32_t i) {
       std::vector<NetSample> samples;
-      for (std::size_t task = first[i]; task < first[i + 1]; ++task) {
-        samples.insert(samples.end(), found[task].begin(), found[task].end());
-        found[task] = {};
+      for (std::size_t task = first_task[i]; task < first_task[i + 1]; ++task) {
+        samples.insert(samples.end(), tasks[task].found.begin(), tasks[task].found.end());
+        tasks[task].found = {};
       }
       nets[i] = make_net(view_, gathered_[i].lattice, samples, gathered_[i].item);
     });
     gathered_.clear();
     lines_ = 0;
     return std::all_of(nets.begin(), nets.end(), [&](const FaceSet& net) { return append(net); });
+  }
+
+  /// Fills the tasks; false if there would be too much of it.
+  bool sample(std::vector<Task>& tasks) const {
+    constexpr std::size_t kMost = FaceSet::kMost / 4;
+    std::atomic<std::size_t> total{0};
+    parallel_for(static_cast<std::uint32_t>(tasks.size()), threads_, cancel_, [&](std::uint32_t i) {
+      if (total > kMost) return;
+      const CurvedItem& curved = gathered_[tasks[i].gathered];
+      sample_row(curved.lattice, tasks[i].row, *scene_.items()[curved.item].shape, tasks[i].found);
+      total += tasks[i].found.size();
+    });
+    return total <= kMost;
   }
 
   bool append(const FaceSet& net) {

@@ -25,7 +25,9 @@ struct NetRow {
 /// All rows of a lattice.
 std::vector<NetRow> net_rows(const ViewLattice& lattice);
 
-/// Appends where the lines of a row meet the shape, in the order of their edges.
+/// Appends where the lines of a row meet the shape, in the order of their edges. Surfaces that
+/// bound a solid but are not drawn count too: they close the net, and what is seen is decided
+/// later.
 void sample_row(const ViewLattice& lattice, const NetRow& row, const Shape& shape,
                 std::vector<NetSample>& out);
 

@@ -7,11 +7,12 @@
 namespace dioptre {
 namespace {
 
-constexpr double kMostCells = 1 << 19;  ///< along a side of the image
 constexpr double kMostLayers = 1 << 14;
-constexpr double kLeastCellsAcross = 8;  ///< of anything
-constexpr double kNearest = 1e-5;        ///< of a size: what is nearer is not seen
-constexpr double kLayerCells = 1.5;      ///< the depth of a cell, in its sides
+constexpr double kManyCellsAcross = 160;  ///< of what is large
+constexpr double kMostCellsAcross = 768;  ///< of anything
+constexpr double kLeastCellsAcross = 8;   ///< of anything
+constexpr double kNearest = 1e-5;         ///< of a size: what is nearer is not seen
+constexpr double kLayerCells = 1.5;       ///< the depth of a cell, in its sides
 /// Nodes lie off the round places where surfaces like to be.
 constexpr double kOffset = 0.3713;
 
@@ -51,8 +52,16 @@ Seen see(const ScreenView& view, const Bounds& box, double nearest) {
   return seen;
 }
 
+/// For what is so many pixels across.
+double side_of_cell(double across) {
+  if (!(across > 0)) return ViewLattice::kLeastCell;
+  const double side =
+      std::clamp(across / kManyCellsAcross, ViewLattice::kLeastCell, ViewLattice::kMostCell);
+  return std::clamp(side, across / kMostCellsAcross, across / kLeastCellsAcross);
+}
+
 std::uint32_t count(double cells, double most) {
-  return static_cast<std::uint32_t>(std::clamp(std::ceil(cells), 1.0, most));
+  return cells > 1 ? static_cast<std::uint32_t>(std::min(std::ceil(cells), most)) : 1;
 }
 
 }  // namespace
@@ -75,13 +84,11 @@ std::optional<ViewLattice> ViewLattice::around(const ScreenView& view, const Bou
   seen.least = {std::max(seen.least.x, 0.0), std::max(seen.least.y, 0.0)};
   seen.most = {std::min(seen.most.x, width), std::min(seen.most.y, height)};
   const Vec2 extent = seen.most - seen.least;
-  const double across = std::max(extent.x, extent.y);
   ViewLattice lattice(view);
-  lattice.side_ = std::min(kCell, across / kLeastCellsAcross);
-  lattice.side_ = std::max(lattice.side_, std::max(width, height) / kMostCells);
+  lattice.side_ = side_of_cell(std::max(extent.x, extent.y));
   lattice.corner_ = seen.least - Vec2{1, 1} * ((1 + kOffset) * lattice.side_);
-  lattice.cells_[0] = count(extent.x / lattice.side_ + 3, kMostCells + 4);
-  lattice.cells_[1] = count(extent.y / lattice.side_ + 3, kMostCells + 4);
+  lattice.cells_[0] = count(extent.x / lattice.side_ + 3, kMostCellsAcross + 4);
+  lattice.cells_[1] = count(extent.y / lattice.side_ + 3, kMostCellsAcross + 4);
   const double pixel = std::max(length(view.right()), length(view.down()));
   lattice.set_layers(seen.depths, kLayerCells * lattice.side_ * pixel / unit);
   return lattice;

@@ -23,8 +23,9 @@ struct ViewScale {
 /// axis 0 run along a row, of axis 1 along a column, and those of axis 2 into the depth.
 class ViewLattice {
  public:
-  /// The side of a cell on the image, in pixels: of small things it is less.
-  static constexpr double kCell = 2;
+  /// The side of a cell on the image, in pixels: the more the larger a thing is seen. It is less
+  /// for what is but a few pixels large, and more for what fills a very large image.
+  static constexpr double kLeastCell = 1, kMostCell = 2;
 
   /// Nothing if the box is out of view.
   static std::optional<ViewLattice> around(const ScreenView& view, const Bounds& box,
@@ -57,8 +58,8 @@ class ViewLattice {
   double layer(double depth) const;
 
   ScreenView view_;
-  Vec2 corner_;          ///< the place of node 0
-  double side_ = kCell;  ///< of a cell, in pixels
+  Vec2 corner_;              ///< the place of node 0
+  double side_ = kMostCell;  ///< of a cell, in pixels
   double first_depth_ = 0;
   double step_ = 1;  ///< from layer to layer: a length, or the logarithm of a ratio
   std::array<std::uint32_t, 3> cells_{};
