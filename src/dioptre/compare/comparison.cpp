@@ -58,23 +58,23 @@ class Comparing {
   }
 
   Result<Comparison> run() {
-    auto first = compile(names_.front());
-    if (!first) return tl::unexpected(first.error());
-    const RenderScene& compiled = **first;
-    out_.items = compiled.items().size();
     for (const std::string& name : names_) {
       out_.structures.push_back({.name = name});
-      if (auto built = build(compiled, out_.structures.back()); !built) {
-        return tl::unexpected(built.error());
+      if (auto compiled = compile(name); !compiled) {
+        return tl::unexpected(compiled.error());
+      } else {
+        scenes_.push_back(std::move(*compiled));
       }
+      if (auto built = build(out_.structures.back()); !built) return tl::unexpected(built.error());
     }
-    for (StructureResult& each : out_.structures) {
-      if (auto done = render(compiled, each); !done) return tl::unexpected(done.error());
+    out_.items = scenes_.front()->items().size();
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      if (auto done = render(i); !done) return tl::unexpected(done.error());
     }
-    auto sample = sample_rays(compiled, render_options_, out_.rays, most_rays());
+    auto sample = sample_rays(*scenes_.front(), render_options_, out_.rays, most_rays());
     if (!sample) return tl::unexpected(sample.error());
-    count(compiled, *sample);
-    measure(compiled, *sample);
+    count(*sample);
+    measure(*sample);
     return std::move(out_);
   }
 
@@ -91,44 +91,35 @@ class Comparing {
     return std::min(options_.sample, std::max(kFewestRays, affordable));
   }
 
-  /// Builds a structure over the items; quick ones several times, for the median of the time.
-  Result<void> build(const RenderScene& compiled, StructureResult& result) {
+  /// Builds a structure over the items again; quick ones several times, for the median of the time.
+  Result<void> build(StructureResult& result) const {
     std::vector<Bounds> boxes;
-    boxes.reserve(compiled.items().size());
-    for (const Item& item : compiled.items()) boxes.push_back(item.shape->bounds());
+    boxes.reserve(scenes_.back()->items().size());
+    for (const Item& item : scenes_.back()->items()) boxes.push_back(item.shape->bounds());
     std::vector<double> times;
     double spent = 0;
-    AcceleratorPtr structure;
     while (times.size() < kRounds && spent < 0.2) {
       const Clock::time_point begin = Clock::now();
       auto made = make_accelerator(result.name, boxes, {scene_.camera.location});
       times.push_back(seconds_since(begin));
       if (!made) return tl::unexpected(made.error());
-      structure = std::move(*made);
       spent += times.back();
     }
     result.build_seconds = median(std::move(times));
-    result.size = structure->statistics();
-    structures_.push_back(std::move(structure));
+    result.size = scenes_.back()->accelerator().statistics();
     return {};
   }
 
   /// Renders the picture with one structure; the first one's is what the others are held against.
-  Result<void> render(const RenderScene& compiled, StructureResult& result) {
-    const bool is_first = &result == &out_.structures.front();
-    std::unique_ptr<const RenderScene> own;
-    if (!is_first) {
-      auto again = compile(result.name);
-      if (!again) return tl::unexpected(again.error());
-      own = std::move(*again);
-    }
+  Result<void> render(std::size_t number) {
+    StructureResult& result = out_.structures[number];
     const Clock::time_point begin = Clock::now();
-    auto rendered = render_image(own ? *own : compiled, render_options_, part_of_all(result));
+    auto rendered = render_image(*scenes_[number], render_options_, part_of_all(number));
     result.render_seconds = seconds_since(begin);
     if (!rendered) return tl::unexpected(rendered.error());
     if (rendered->cancelled) return fail("the comparison was stopped");
     result.intersection_share = rendered->intersection_share();
-    if (is_first) {
+    if (number == 0) {
       out_.image = std::move(rendered->image);
       out_.rays = rendered->rays;
     } else {
@@ -138,26 +129,25 @@ class Comparing {
   }
 
   /// Tells of the progress of one render as that of all.
-  RenderContext part_of_all(const StructureResult& result) const {
-    const auto number = static_cast<double>(&result - out_.structures.data());
+  RenderContext part_of_all(std::size_t number) const {
     const auto all = static_cast<double>(out_.structures.size());
     RenderContext part;
     part.cancel = context_.cancel;
     if (context_.progress) {
       part.progress = [this, number, all](const RenderProgress& p) {
-        context_.progress({(number + p.done) / all, p.rays});
+        context_.progress({(static_cast<double>(number) + p.done) / all, p.rays});
       };
     }
     return part;
   }
 
-  void count(const RenderScene& compiled, const RaySample& sample) {
+  void count(const RaySample& sample) {
     for (std::size_t sort = 0; sort < kRaySorts; ++sort) {
       out_.sampled[sort] = sample[sort].size();
       const double rays = static_cast<double>(std::max<std::size_t>(sample[sort].size(), 1));
       std::uint64_t answers = 0;
-      for (std::size_t i = 0; i < structures_.size(); ++i) {
-        const Walks walks = walk_all(compiled, *structures_[i], sample[sort]);
+      for (std::size_t i = 0; i < scenes_.size(); ++i) {
+        const Walks walks = walk_all(*scenes_[i], sample[sort]);
         if (i == 0) answers = walks.answers;
         StructureResult& result = out_.structures[i];
         result.same_answers = result.same_answers && walks.answers == answers;
@@ -169,17 +159,16 @@ class Comparing {
   }
 
   /// The structures take turns, so that whatever else the machine does hits all alike.
-  void measure(const RenderScene& compiled, const RaySample& sample) {
+  void measure(const RaySample& sample) {
     for (const RaySort sort : kAllRaySorts) {
       const auto index = static_cast<std::size_t>(sort);
-      std::vector<std::vector<double>> times(structures_.size());
+      std::vector<std::vector<double>> times(scenes_.size());
       for (std::size_t round = 0; round < kRounds; ++round) {
-        for (std::size_t i = 0; i < structures_.size(); ++i) {
-          times[i].push_back(
-              time_walks(compiled, *structures_[i], sample[index], options_.measured_seconds));
+        for (std::size_t i = 0; i < scenes_.size(); ++i) {
+          times[i].push_back(time_walks(*scenes_[i], sample[index], options_.measured_seconds));
         }
       }
-      for (std::size_t i = 0; i < structures_.size(); ++i) {
+      for (std::size_t i = 0; i < scenes_.size(); ++i) {
         StructureResult& result = out_.structures[i];
         result.cost[index].nanoseconds = median(std::move(times[i]));
         result.trace_seconds +=
@@ -194,7 +183,7 @@ class Comparing {
   const CompareOptions& options_;
   std::vector<std::string> names_;
   const RenderContext& context_;
-  std::vector<AcceleratorPtr> structures_;
+  std::vector<std::unique_ptr<const RenderScene>> scenes_;  ///< one for each structure
   Comparison out_;
 };
 

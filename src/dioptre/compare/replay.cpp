@@ -15,13 +15,12 @@ void take_in(std::uint64_t& digest, std::uint64_t answer) { digest = mix_bits(di
 /// Asks on behalf of rays, as the integrators do.
 class Asker {
  public:
-  Asker(const RenderScene& scene, const Accelerator& structure)
-      : scene_(scene), structure_(structure) {}
+  explicit Asker(const RenderScene& scene) : scene_(scene) {}
 
   void ask(const SampledRay& ray, Walks& walks) {
     if (ray.purpose == RayPurpose::kShadow) return ask_for_light(ray, walks);
     Hit hit;
-    if (!scene_.nearest(ray.ray, ray.range, ray.purpose, hit, structure_, walks.cost)) {
+    if (!scene_.nearest(ray.ray, ray.range, ray.purpose, hit, walks.cost)) {
       return take_in(walks.answers, 0);
     }
     note(hit, walks);
@@ -30,7 +29,7 @@ class Asker {
  private:
   void ask_for_light(const SampledRay& ray, Walks& walks) {
     const Item* blocker = nullptr;
-    if (!scene_.shadow_hits(ray.ray, ray.range, hits_, blocker, structure_, walks.cost)) {
+    if (!scene_.shadow_hits(ray.ray, ray.range, hits_, blocker, walks.cost)) {
       return take_in(walks.answers, 0);  // which item blocks depends on the order of visits
     }
     for (const Hit& hit : hits_) note(hit, walks);
@@ -43,28 +42,26 @@ class Asker {
   }
 
   const RenderScene& scene_;
-  const Accelerator& structure_;
   std::vector<Hit> hits_;
 };
 
 }  // namespace
 
-Walks walk_all(const RenderScene& scene, const Accelerator& structure,
-               std::span<const SampledRay> rays) {
+Walks walk_all(const RenderScene& scene, std::span<const SampledRay> rays) {
   Walks walks;
-  Asker asker(scene, structure);
+  Asker asker(scene);
   for (const SampledRay& ray : rays) asker.ask(ray, walks);
   return walks;
 }
 
-double time_walks(const RenderScene& scene, const Accelerator& structure,
-                  std::span<const SampledRay> rays, double least_seconds) {
+double time_walks(const RenderScene& scene, std::span<const SampledRay> rays,
+                  double least_seconds) {
   if (rays.empty()) return 0;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
   double walked = 0, seconds = 0;
   do {
-    walk_all(scene, structure, rays);
+    walk_all(scene, rays);
     walked += static_cast<double>(rays.size());
     seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   } while (seconds < least_seconds);

@@ -10,19 +10,17 @@
 
 namespace dioptre {
 
-/// What walks through a structure came to.
+/// What asking came to.
 struct Walks {
   WalkCost cost;
   std::uint64_t answers = 0;  ///< a digest of what each ray met, and where
 };
 
-/// Asks what each ray meets, through a structure over the items of the scene.
-Walks walk_all(const RenderScene& scene, const Accelerator& structure,
-               std::span<const SampledRay> rays);
+/// Asks what each ray meets.
+Walks walk_all(const RenderScene& scene, std::span<const SampledRay> rays);
 
 /// The time for one of the rays, in nanoseconds: the mean over all of them, walked over and over
 /// until `least_seconds` have gone by.
-double time_walks(const RenderScene& scene, const Accelerator& structure,
-                  std::span<const SampledRay> rays, double least_seconds);
+double time_walks(const RenderScene& scene, std::span<const SampledRay> rays, double least_seconds);
 
 }  // namespace dioptre

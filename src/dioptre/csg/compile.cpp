@@ -233,7 +233,7 @@ class BoundsPass {
 
 }  // namespace
 
-Compiled compile(const Description& description, std::size_t many) {
+Compiled compile(const Description& description, std::size_t many, std::string_view accelerator) {
   Compiled out;
   out.placed.reserve(description.leaves.size());
   for (const Leaf& leaf : description.leaves) out.placed.emplace_back(leaf);
@@ -248,7 +248,7 @@ Compiled compile(const Description& description, std::size_t many) {
       const auto& p = out.leaves[i].interest.plane;
       boxes.push_back({{p[0], p[1], p[2]}, {p[3], p[4], p[5]}});
     }
-    out.hierarchy = BoundingVolumeHierarchy(boxes, 1);
+    out.structure = PartStructure(accelerator, boxes, 1);
   }
   return out;
 }

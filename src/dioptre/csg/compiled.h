@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
-#include "dioptre/accel/bounding_volume_hierarchy.h"
+#include "dioptre/accel/part_structure.h"
 #include "dioptre/csg/convex_core.h"
 #include "dioptre/csg/placed_leaf.h"
 #include "dioptre/csg/tree.h"
@@ -47,17 +48,18 @@ struct Compiled {
   std::vector<std::uint32_t> beside;    ///< the others of `required`, in the same order
   bool convex = false;                  ///< there is nothing but the core
   std::vector<std::uint32_t> optional;  ///< the other leaves that can change the answer
-  BoundingVolumeHierarchy hierarchy;    ///< over `optional`, if they are many
+  PartStructure structure;              ///< over `optional`, if they are many
   std::int32_t only_leaf = kNone;       ///< set if the tree is just this leaf
   bool solid = false;
   Bounds bounds;   ///< of what is inside or visible
   SlabBox extent;  ///< the same
 };
 
-/// More optional leaves than these get a hierarchy.
+/// More optional leaves than these get a structure.
 inline constexpr std::size_t kManyLeaves = 16;
 
-/// Compiles with a hierarchy for more than `many` optional leaves.
-Compiled compile(const Description& description, std::size_t many = kManyLeaves);
+/// Compiles with the named structure over more than `many` optional leaves.
+Compiled compile(const Description& description, std::size_t many = kManyLeaves,
+                 std::string_view accelerator = "bvh");
 
 }  // namespace dioptre::csg

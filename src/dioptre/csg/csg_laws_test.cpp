@@ -167,6 +167,32 @@ TEST_P(RandomSolids, AHierarchyChangesNothing) {
   }
 }
 
+TEST_P(RandomSolids, NoStructureOverTheLeavesChangesAnything) {
+  Random random{12};
+  for (const std::string_view name : accelerator_names()) {
+    for (int trial = 0; trial < 30; ++trial) {
+      Writer writer;
+      writer.description.root = random_solid(writer, random, 4, GetParam(), true);
+      const Compiled few = compile(writer.description, 1000);
+      const Compiled many = compile(writer.description, 0, name);
+      if (few.only_leaf != kNone) continue;
+      for (int i = 0; i < 40; ++i) {
+        const Ray ray = random_ray(random, GetParam());
+        const SlabRay slabs(ray);
+        Scratch one, two;
+        const Interval range{random.between(-2, 2), 8};
+        ASSERT_EQ(Sweep(few, one, ray, slabs, range, range).run(true),
+                  Sweep(many, two, ray, slabs, range, range).run(true));
+        ASSERT_EQ(one.passed.size(), two.passed.size()) << name << ", trial " << trial;
+        for (std::size_t k = 0; k < one.passed.size(); ++k) {
+          EXPECT_EQ(one.passed[k].t, two.passed[k].t) << name;
+          EXPECT_EQ(one.passed[k].leaf, two.passed[k].leaf) << name;
+        }
+      }
+    }
+  }
+}
+
 TEST_P(RandomSolids, DeMorgan) {
   Random random{4};
   for (int trial = 0; trial < 200; ++trial) {

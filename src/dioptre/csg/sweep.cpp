@@ -52,14 +52,14 @@ Sweep::Sweep(const Compiled& tree, Scratch& scratch, const Ray& ray, const SlabR
 
 bool Sweep::run(bool all) {
   if (!open_required()) return false;
-  if (tree_.hierarchy.bounds().empty()) {
+  if (tree_.structure.bounds().empty()) {
     double entry = 0;
     for (const std::uint32_t leaf : tree_.optional) {
       if (slabs_.meets(tree_.leaves[leaf].interest, window_, entry)) open(leaf);
     }
     sweep_before(kInfinity, all);
-  } else {
-    NearestFirst walk(tree_.hierarchy, slabs_, window_, scratch_.walk);
+  } else if (const BoundingVolumeHierarchy* hierarchy = tree_.structure.hierarchy()) {
+    NearestFirst walk(*hierarchy, slabs_, window_, scratch_.walk);
     std::uint32_t item = 0;
     bool going = true;
     while (going && walk.next(item)) {
@@ -67,6 +67,14 @@ bool Sweep::run(bool all) {
       going = sweep_before(walk.bound(), all);
     }
     if (going) sweep_before(kInfinity, all);
+  } else {
+    // Other structures do not say what they have passed: all that the ray may meet is opened.
+    Interval met = window_;
+    tree_.structure.traverse(ray_, met, [this](std::uint32_t item, Interval&) {
+      open(tree_.optional[item]);
+      return true;
+    });
+    sweep_before(kInfinity, all);
   }
   return started_ ? inside_at_start_ : truth_.root();
 }

@@ -100,10 +100,10 @@ class Tree final : public Explainable {
       ask(leaf);
       if (!truth.leaf(leaf)) return false;
     }
-    if (compiled_.hierarchy.bounds().empty()) {
+    if (compiled_.structure.bounds().empty()) {
       for (const std::uint32_t leaf : compiled_.optional) ask(leaf);
     } else {
-      compiled_.hierarchy.visit_at(p, [&](std::uint32_t i) { ask(compiled_.optional[i]); });
+      compiled_.structure.visit_at(p, [&](std::uint32_t i) { ask(compiled_.optional[i]); });
     }
     return truth.root();
   }
@@ -195,8 +195,8 @@ void complement(Description& description, std::int32_t entry) {
   }
 }
 
-ShapePtr build(Description description) {
-  Compiled compiled = compile(description);
+ShapePtr build(Description description, std::string_view accelerator) {
+  Compiled compiled = compile(description, kManyLeaves, accelerator);
   if (compiled.only_leaf != kNone) {
     const auto leaf = static_cast<std::uint32_t>(compiled.only_leaf);
     return std::make_unique<PlacedShape>(std::move(compiled.placed[leaf]), leaf);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "dioptre/core/affine.h"
@@ -59,6 +60,7 @@ void complement(Description& description, std::int32_t entry);
 /// those do they alternate between entering and leaving. Subtrees are skipped where the ray misses
 /// their bounds or can no longer change the answer. `surface` takes normals to world space and
 /// flips them for complemented leaves.
-ShapePtr build(Description description);
+/// Many leaves stand in the named structure.
+ShapePtr build(Description description, std::string_view accelerator = "bvh");
 
 }  // namespace dioptre::csg

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dioptre/core/bounds.h"
@@ -85,5 +86,11 @@ class Shape {
 };
 
 using ShapePtr = std::unique_ptr<const Shape>;
+
+/// How shapes are prepared.
+struct ShapeOptions {
+  /// The structure over the parts of those that have many (meshes).
+  std::string accelerator = "bvh";
+};
 
 }  // namespace dioptre

@@ -33,9 +33,20 @@ using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, 
                                Triangle, Mesh, Polygon, Prism, Blob, Text, Superellipsoid, Lathe,
                                Sor, SphereSweep, Ovus, HeightField>;
 
-/// Prepares whichever primitive it is.
-inline Result<ShapePtr> prepare(const ShapeData& data) {
-  return std::visit([](const auto& shape) { return prepare(shape); }, data);
+/// Prepares whichever primitive it is; those that have a `prepare` with options are told them.
+inline Result<ShapePtr> prepare_with(const ShapeOptions& options, const ShapeData& data) {
+  return std::visit(
+      [&options](const auto& shape) {
+        if constexpr (requires { prepare(shape, options); }) {
+          return prepare(shape, options);
+        } else {
+          return prepare(shape);
+        }
+      },
+      data);
 }
+
+/// The same with the usual options.
+inline Result<ShapePtr> prepare(const ShapeData& data) { return prepare_with({}, data); }
 
 }  // namespace dioptre

@@ -97,9 +97,7 @@ Color DirectLight::through(const Light& light, const Ray& ray, Interval range, c
                            RayLog& log) const {
   thread_local std::vector<Hit> hits;
   if (blocker) ++log.walks.items;  // is tested before the walk
-  const auto reaches = [&] {
-    return scene_.shadow_hits(ray, range, hits, blocker, scene_.accelerator(), log.walks);
-  };
+  const auto reaches = [&] { return scene_.shadow_hits(ray, range, hits, blocker, log.walks); };
   if (!log.clock.time(reaches)) return {};
   Color through{1, 1, 1};
   for (const Hit& hit : hits) {

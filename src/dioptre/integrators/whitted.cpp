@@ -14,7 +14,8 @@ namespace dioptre {
 namespace {
 
 /// The mirror direction at a disturbed normal. A normal that faces away gives way to the true one,
-/// and what would go below the surface is turned up again (measured).
+/// and what would go below the surface is turned up again; on a smooth triangle the true one is the
+/// interpolated normal, whatever the plane of the triangle (measured).
 Vec3 mirror_direction(Vec3 direction, Vec3 normal, Vec3 true_normal) {
   if (dot(direction, normal) > 0) normal = true_normal;
   Vec3 mirrored = reflect(direction, normal);
@@ -137,8 +138,7 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
     Hit hit;
     Color reached{1, 1, 1};  // what the way to the surface leaves
     const bool found = scratch.log->clock.time([&] {
-      return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit, scene_.accelerator(),
-                            scratch.log->walks);
+      return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit, scratch.log->walks);
     });
     const double distance = found ? hit.crossing.t : kInfinity;
     if (found && path.attenuation > 0) {
@@ -245,8 +245,8 @@ Color Whitted::mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch&
   Path mirrored = path;
   mirrored.weight = path.weight * (share * vertex.stack.weight);
   if (!may_spawn(mirrored.weight, path.level)) return {};
-  mirrored.ray =
-      spawn_ray(vertex.at, mirror_direction(path.ray.direction, normal, vertex.at.surface.normal));
+  mirrored.ray = spawn_ray(
+      vertex.at, mirror_direction(path.ray.direction, normal, vertex.at.surface.shading_normal));
   mirrored.level = path.level + 1;
   mirrored.attenuation = attenuation_.reflected;
   mirrored.purpose = RayPurpose::kReflection;
@@ -283,7 +283,7 @@ Whitted::Passage Whitted::pass(const SurfaceInteraction& at, const Hit& hit, Vec
     path.media = beyond;
     return Passage::kThrough;
   }
-  path.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.normal));
+  path.ray = spawn_ray(at, mirror_direction(path.ray.direction, normal, at.surface.shading_normal));
   return Passage::kMirrored;
 }
 

@@ -114,6 +114,27 @@ Scene orthographic(Scene scene) {
   return scene;
 }
 
+/// Items of unions in unions, each with a place of its own; one is not seen.
+Scene nested_unions() {
+  Scene scene = empty_scene();
+  Object ball = object_of(Sphere{{-1, 0, 0}, 0.7}), hidden = object_of(Sphere{{0, 0, -2}, 1});
+  hidden.no_image = true;
+  Object ring = object_of(Torus{0.8, 0.2}), block = object_of(Box{{0, 0, 0}, {1, 1, 1}});
+  Object inner, outer, hollowed;
+  hollowed.geometry =
+      Csg{CsgOperation::kDifference, {append(scene.objects, block), append(scene.objects, ball)}};
+  hollowed.transform = translation({0.2, 0.7, 0});
+  inner.geometry = Csg{CsgOperation::kUnion,
+                       {append(scene.objects, hidden), append(scene.objects, ball),
+                        append(scene.objects, hollowed), append(scene.objects, ring)}};
+  inner.transform = then(rotation({40, 20, 0}), translation({0.5, -0.5, 0}));
+  outer.geometry =
+      Csg{CsgOperation::kUnion, {append(scene.objects, inner), append(scene.objects, block)}};
+  outer.transform = scaling({1.2, 1, 0.8});
+  add(scene, outer);
+  return scene;
+}
+
 Scene clipped_sphere() {
   Scene scene = empty_scene();
   const ObjectId clip = append(scene.objects, object_of(Plane{{1, 1, -1}, 0.2}));
@@ -197,6 +218,7 @@ std::vector<RasterScene> raster_scenes() {
       {"FloorWithoutRod", of_csg(CsgOperation::kDifference,
                                  {object_of(Plane{{0, 1, 0}, -0.8}), placed(post, {0.5, 0, 0.5})})},
       {"ClippedSphere", clipped_sphere()},
+      {"NestedUnions", nested_unions()},
       {"InsideASphere", of(Sphere{{1, 2, -3}, 30})},
       {"InsideABox", of(Box{{-3, -2, -9}, {4, 5, 12}}, rotation({0, 10, 4}))},
       {"Room", room()},

@@ -21,8 +21,11 @@ bool splits(const Object& object) {
 /// Turns the description into items, parts and structures.
 class Compiler {
  public:
-  Compiler(const Scene& scene, RenderScene& out)
-      : scene_(scene), out_(out), shapes_(scene), needs_(texture_needs(scene)) {}
+  Compiler(const Scene& scene, const CompileOptions& options, RenderScene& out)
+      : scene_(scene),
+        out_(out),
+        shapes_(scene, options.accelerator),
+        needs_(texture_needs(scene)) {}
 
   Result<void> add_all() {
     Inherited world;
@@ -166,7 +169,7 @@ Result<std::unique_ptr<const RenderScene>> RenderScene::compile(const Scene& sce
   auto textures = TextureEvaluator::compile(scene, std::move(*inside));
   if (!textures) return tl::unexpected(textures.error());
   out->textures_ = std::move(*textures);
-  Compiler compiler(scene, *out);
+  Compiler compiler(scene, options, *out);
   if (auto added = compiler.add_all(); !added) return tl::unexpected(added.error());
   if (auto done = compiler.finish(options); !done) return tl::unexpected(done.error());
   return out;

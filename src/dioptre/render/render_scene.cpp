@@ -58,14 +58,14 @@ class FunctionVisitor final : public LeafVisitor {
 
 bool RenderScene::nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const {
   WalkCost ignored;
-  return nearest(ray, range, purpose, hit, *accelerator_, ignored);
+  return nearest(ray, range, purpose, hit, ignored);
 }
 
 bool RenderScene::nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit,
-                          const Accelerator& structure, WalkCost& cost) const {
+                          WalkCost& cost) const {
   hit.item = nullptr;
   NearestVisitor visitor(items_, ray, purpose, hit);
-  structure.visit(ray, range, visitor, cost);
+  accelerator_->visit(ray, range, visitor, cost);
   return hit.item != nullptr;
 }
 
@@ -139,12 +139,11 @@ Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
 bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
                               const Item*& blocker) const {
   WalkCost ignored;
-  return shadow_hits(ray, range, hits, blocker, *accelerator_, ignored);
+  return shadow_hits(ray, range, hits, blocker, ignored);
 }
 
 bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
-                              const Item*& blocker, const Accelerator& structure,
-                              WalkCost& cost) const {
+                              const Item*& blocker, WalkCost& cost) const {
   thread_local Crossings crossings;
   Crossing nearest;
   if (blocker && blocker->shape->nearest(ray, range, nearest)) return false;
@@ -164,7 +163,7 @@ bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& 
     }
     return true;
   });
-  structure.visit(ray, range, visitor, cost);
+  accelerator_->visit(ray, range, visitor, cost);
   if (blocker || hits.size() < 2) return blocker == nullptr;
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.item < b.item;

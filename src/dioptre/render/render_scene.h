@@ -71,7 +71,8 @@ struct SurfaceInteraction {
 /// unit has a gap as much smaller: see RenderScene::shadow_gap.
 constexpr double kShadowGap = 1e-3;
 
-/// Names the builder of the structure over the items.
+/// Names the structure over the items, over the triangles of a mesh and the many primitives of a
+/// solid; "extents" stands for the hierarchy within objects.
 struct CompileOptions {
   std::string accelerator = "bvh";
 };
@@ -93,9 +94,8 @@ class RenderScene {
 
   /// The first visible crossing in the range that a ray of this purpose may see.
   bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit) const;
-  /// The same through any structure over the boxes of the items; adds up what that costs.
-  bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit,
-               const Accelerator& structure, WalkCost& cost) const;
+  /// The same, and adds up what that costs.
+  bool nearest(const Ray& ray, Interval range, RayPurpose purpose, Hit& hit, WalkCost& cost) const;
 
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit) const;
 
@@ -105,9 +105,9 @@ class RenderScene {
   /// is looked at first.
   bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,
                    const Item*& blocker) const;
-  /// The same through any structure over the boxes of the items; adds up what that costs.
+  /// The same, and adds up what that costs.
   bool shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits, const Item*& blocker,
-                   const Accelerator& structure, WalkCost& cost) const;
+                   WalkCost& cost) const;
 
   /// The share of light that gets through such a surface, brightened by `caustics`. What the
   /// insides of solids take is not counted.

@@ -123,7 +123,8 @@ Result<const Shape*> PreparedShapes::shape(ObjectId id) {
   if (by_object_.size() < scene_.objects.size()) by_object_.resize(scene_.objects.size());
   const Shape*& known = by_object_[id.index];
   if (!known) {
-    auto prepared = prepare(std::get<ShapeData>(at(scene_.objects, id).geometry));
+    auto prepared =
+        prepare_with({accelerator_}, std::get<ShapeData>(at(scene_.objects, id).geometry));
     if (!prepared) return tl::unexpected(prepared.error());
     known = prepared->get();
     shapes_.push_back(std::move(*prepared));
@@ -137,8 +138,8 @@ Result<Solid> build_solid(const Scene& scene, PreparedShapes& shapes, ObjectId i
   auto root = builder.add(id, from, false);
   if (!root) return tl::unexpected(root.error());
   builder.description.root = *root;
-  return Solid{csg::build(std::move(builder.description)), std::move(builder.parts),
-               std::move(builder.texture_to_world)};
+  return Solid{csg::build(std::move(builder.description), shapes.accelerator()),
+               std::move(builder.parts), std::move(builder.texture_to_world)};
 }
 
 }  // namespace dioptre

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "dioptre/core/result.h"
@@ -30,7 +32,10 @@ struct Inherited {
 /// Prepares the primitives of a scene, each once, however often it is used.
 class PreparedShapes {
  public:
-  explicit PreparedShapes(const Scene& scene) : scene_(scene) {}
+  explicit PreparedShapes(const Scene& scene, std::string_view accelerator = "bvh")
+      : scene_(scene), accelerator_(accelerator) {}
+  /// The structure over the parts of one object: triangles of a mesh, primitives of a solid.
+  const std::string& accelerator() const { return accelerator_; }
   /// The primitive of an object whose geometry is a ShapeData.
   Result<const Shape*> shape(ObjectId id);
   /// What `object` hands down in its turn. An interior of its own is a medium of its own, even if
@@ -41,6 +46,7 @@ class PreparedShapes {
 
  private:
   const Scene& scene_;
+  std::string accelerator_;
   std::vector<ShapePtr> shapes_;
   std::vector<const Shape*> by_object_;
   std::uint32_t media_ = 0;

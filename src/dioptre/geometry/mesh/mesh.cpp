@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "dioptre/accel/bounding_volume_hierarchy.h"
+#include "dioptre/accel/part_structure.h"
 #include "dioptre/geometry/triangle/smooth_normal.h"
 #include "dioptre/geometry/triangle/triangle_hit.h"
 
@@ -23,11 +23,11 @@ bool before(const Crossing& a, const Crossing& b) {
 
 class PreparedMesh final : public Shape {
  public:
-  explicit PreparedMesh(const Mesh& mesh)
+  PreparedMesh(const Mesh& mesh, const ShapeOptions& options)
       : data_(mesh.data), inside_vector_(mesh.inside_vector), solid_(inside_vector_ != Vec3{}) {
     std::vector<Bounds> boxes(data_->faces.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) boxes[i] = face_bounds(i);
-    tree_ = BoundingVolumeHierarchy(boxes);
+    tree_ = PartStructure(options.accelerator, boxes, 4);
   }
 
   Bounds bounds() const override { return tree_.bounds(); }
@@ -142,7 +142,7 @@ class PreparedMesh final : public Shape {
   Shared<MeshData> data_;
   Vec3 inside_vector_;
   bool solid_;
-  BoundingVolumeHierarchy tree_;
+  PartStructure tree_;
 };
 
 /// Says which of a face's three indices is too large; empty if none.
@@ -177,11 +177,11 @@ std::string what_is_wrong(const MeshData& data) {
 
 }  // namespace
 
-Result<ShapePtr> prepare(const Mesh& mesh) {
+Result<ShapePtr> prepare(const Mesh& mesh, const ShapeOptions& options) {
   std::string wrong = what_is_wrong(*mesh.data);
   if (wrong.empty() && !is_finite(mesh.inside_vector)) wrong = "mesh inside_vector is not finite";
   if (!wrong.empty()) return fail(std::move(wrong));
-  return std::make_unique<PreparedMesh>(mesh);
+  return std::make_unique<PreparedMesh>(mesh, options);
 }
 
 }  // namespace dioptre

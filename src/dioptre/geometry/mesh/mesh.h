@@ -66,6 +66,6 @@ struct Mesh {
 
 /// Checks the parameters and does all work that does not depend on a ray. An error for an
 /// index that refers to nothing, or a number that is not finite.
-Result<ShapePtr> prepare(const Mesh& mesh);
+Result<ShapePtr> prepare(const Mesh& mesh, const ShapeOptions& options = {});
 
 }  // namespace dioptre

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "dioptre/accel/accelerator.h"
 #include "dioptre/geometry/triangle/triangle.h"
 
 namespace dioptre {
@@ -196,6 +197,30 @@ TEST(Mesh, WrongIndicesAreRefused) {
   data.corners[1].x = std::nan("");
   EXPECT_EQ(prepare(solid(data)).error().message, "mesh corner 1 is not finite");
   EXPECT_TRUE(prepare(Mesh{}).value()->bounds().empty());
+}
+
+TEST(Mesh, AnyStructureOverItsFacesGivesTheSameBits) {
+  const Mesh mesh = solid(globe({1, 2, 3}, 10));
+  const ShapePtr usual = prepare(mesh).value();
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 origin{1 + 4 * u(random), 2 + 4 * u(random), 3 + 4 * u(random)};
+    rays.push_back({origin, Vec3{1 + u(random), 2 + u(random), 3 + u(random)} - origin});
+  }
+  for (const std::string_view name : accelerator_names()) {
+    const ShapePtr other = prepare(mesh, {std::string(name)}).value();
+    for (const Ray& ray : rays) {
+      Crossing a, b;
+      const bool hit = usual->nearest(ray, {0, kInfinity}, a);
+      ASSERT_EQ(other->nearest(ray, {0, kInfinity}, b), hit) << name;
+      if (hit) {
+        EXPECT_TRUE(a.t == b.t && a.face == b.face && a.entering == b.entering) << name;
+      }
+      ASSERT_EQ(usual->contains(ray.origin), other->contains(ray.origin)) << name;
+    }
+  }
 }
 
 }  // namespace
