@@ -144,33 +144,10 @@ TEST_P(RandomSolids, NearestIsTheFirstVisibleCrossing) {
   }
 }
 
-TEST_P(RandomSolids, AHierarchyChangesNothing) {
-  Random random{3};
-  for (int trial = 0; trial < 300; ++trial) {
-    Writer writer;
-    writer.description.root = random_solid(writer, random, 4, GetParam(), true);
-    const Compiled few = compile(writer.description, 1000), many = compile(writer.description, 0);
-    if (few.only_leaf != kNone) continue;
-    for (int i = 0; i < 40; ++i) {
-      const Ray ray = random_ray(random, GetParam());
-      const SlabRay slabs(ray);
-      Scratch one, two;
-      const Interval range{random.between(-2, 2), 8};
-      ASSERT_EQ(Sweep(few, one, ray, slabs, range, range).run(true),
-                Sweep(many, two, ray, slabs, range, range).run(true));
-      ASSERT_EQ(one.passed.size(), two.passed.size()) << "trial " << trial << " ray " << i;
-      for (std::size_t k = 0; k < one.passed.size(); ++k) {
-        EXPECT_EQ(one.passed[k].t, two.passed[k].t);
-        EXPECT_EQ(one.passed[k].leaf, two.passed[k].leaf);
-      }
-    }
-  }
-}
-
 TEST_P(RandomSolids, NoStructureOverTheLeavesChangesAnything) {
-  Random random{12};
+  Random random{3};
   for (const std::string_view name : accelerator_names()) {
-    for (int trial = 0; trial < 30; ++trial) {
+    for (int trial = 0; trial < 60; ++trial) {
       Writer writer;
       writer.description.root = random_solid(writer, random, 4, GetParam(), true);
       const Compiled few = compile(writer.description, 1000);

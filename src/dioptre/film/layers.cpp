@@ -90,6 +90,7 @@ Result<LayerSet> read_layers(std::string_view names, LayerSet allowed) {
 }
 
 void to_linear(std::span<ImageLayer> layers, const Image& image, const Settings& settings) {
+  if (layers.empty()) return;
   for (std::size_t at = 0; at < image.pixels.size(); ++at) {
     const Color c = image.pixels[at];
     const float shares[] = {linear_share(c.r, settings), linear_share(c.g, settings),

@@ -52,7 +52,7 @@ Mesh octahedron(Vec3 inside_vector) {
   return mesh;
 }
 
-Prism prism(PrismSpline spline, bool conic, std::vector<Vec2> outline) {
+Prism prism(OutlineSpline spline, bool conic, std::vector<Vec2> outline) {
   Prism p;
   p.spline = spline;
   p.conic = conic;
@@ -158,24 +158,24 @@ void add_others(std::vector<ShapeSample>& all) {
   for (const bool conic : {false, true}) {
     const std::string kind = conic ? "Conic" : "";
     add(kind + "LinearPrism",
-        prism(PrismSpline::kLinear, conic, {{1, 1}, {-1, 1}, {-1, -1}, {0.5, -1}, {0, 0}}));
+        prism(OutlineSpline::kLinear, conic, {{1, 1}, {-1, 1}, {-1, -1}, {0.5, -1}, {0, 0}}));
     add(kind + "QuadraticPrism",
-        prism(PrismSpline::kQuadratic, conic,
+        prism(OutlineSpline::kQuadratic, conic,
               {{0.3, -1.2}, {1, -1}, {1.4, 1}, {-1, 1.2}, {-1, -1}, {1, -1}}));
     add(kind + "CubicPrism",
-        prism(PrismSpline::kCubic, conic,
+        prism(OutlineSpline::kCubic, conic,
               {{0.3, -1.2}, {1, -1}, {1.4, 1}, {0, 0.3}, {-1, 1.2}, {-1, -1}, {1, -1}, {2, 2}}));
     add(kind + "BezierPrism",
-        prism(PrismSpline::kBezier, conic,
+        prism(OutlineSpline::kBezier, conic,
               {{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 2}, {3, 1}, {2, 0}, {0, 0}}));
   }
-  add("LinearLathe", Lathe{LatheSpline::kLinear, {{1, 0}, {2, 0}, {2, 1}, {1.2, 2}, {1, 0}}});
+  add("LinearLathe", Lathe{OutlineSpline::kLinear, {{1, 0}, {2, 0}, {2, 1}, {1.2, 2}, {1, 0}}});
   add("LatheToTheAxis",
-      Lathe{LatheSpline::kLinear, {{0, 0}, {1, 0.2}, {0.5, 1}, {0.8, 2}, {0, 1.5}}});
-  add("OpenLathe", Lathe{LatheSpline::kLinear, {{1, 0}, {1.5, 1}, {0.7, 2}}});
+      Lathe{OutlineSpline::kLinear, {{0, 0}, {1, 0.2}, {0.5, 1}, {0.8, 2}, {0, 1.5}}});
+  add("OpenLathe", Lathe{OutlineSpline::kLinear, {{1, 0}, {1.5, 1}, {0.7, 2}}});
   add("QuadraticLathe",
-      Lathe{LatheSpline::kQuadratic, {{0.3, -1.2}, {1, -1}, {1.4, 0}, {0.7, 0.5}, {0, 1}}});
-  add("CubicLathe", Lathe{LatheSpline::kCubic,
+      Lathe{OutlineSpline::kQuadratic, {{0.3, -1.2}, {1, -1}, {1.4, 0}, {0.7, 0.5}, {0, 1}}});
+  add("CubicLathe", Lathe{OutlineSpline::kCubic,
                           {{2, 1},
                            {2, -1},
                            {3, -1},
@@ -187,7 +187,7 @@ void add_others(std::vector<ShapeSample>& all) {
                            {2, -1},
                            {3, -1}}});
   add("BezierLathe",
-      Lathe{LatheSpline::kBezier,
+      Lathe{OutlineSpline::kBezier,
             {{1, 0}, {2, 0.3}, {2, 0.7}, {1, 1}, {1, 1}, {0.5, 1.3}, {0, 1.7}, {0, 2}}});
   for (const bool open : {false, true}) {
     add(open ? "OpenSor" : "Sor",

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "dioptre/core/vec.h"
+#include "dioptre/geometry/outline/outline_spline.h"
 #include "dioptre/geometry/shape.h"
 
 namespace dioptre {
-
-/// How the control points of a lathe make a curve (as in a scene file).
-enum class LatheSpline : std::uint8_t {
-  kLinear,     ///< p1 ... pn: straight lines. At least 2 points
-  kQuadratic,  ///< c p1 ... pn: parabolas through p1 ... pn; c only bends the first. At least 3
-  kCubic,   ///< c p1 ... pn d: Catmull-Rom through p1 ... pn; c, d only bend the ends. At least 4
-  kBezier,  ///< groups of 4: begin, two controls, end. At least 1 group
-};
 
 /// A curve in the half-plane of distance from the y axis and height, revolved about the y axis.
 ///
@@ -25,7 +17,7 @@ enum class LatheSpline : std::uint8_t {
 /// farther out.
 struct Lathe {
   static constexpr const char* kName = "lathe";
-  LatheSpline spline = LatheSpline::kLinear;
+  OutlineSpline spline = OutlineSpline::kLinear;
   std::vector<Vec2> points;  ///< control points (distance from the axis, y); the distance >= 0
   bool sturm = false;        ///< kept for scene files; all roots are always found
 

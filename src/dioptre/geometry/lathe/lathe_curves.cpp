@@ -3,75 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+
+#include "dioptre/geometry/outline/spline_curves.h"
 
 namespace dioptre {
 namespace {
 
-using Points = std::vector<Vec2>;
-
-struct SplineKind {
-  const char* name;
-  std::size_t least_points;
-};
-
-SplineKind kind_of(LatheSpline spline) {
-  switch (spline) {
-    case LatheSpline::kQuadratic:
-      return {"quadratic", 3};
-    case LatheSpline::kCubic:
-      return {"cubic", 4};
-    case LatheSpline::kBezier:
-      return {"bezier", 4};
-    case LatheSpline::kLinear:
-      break;
-  }
-  return {"linear", 2};
-}
-
 Result<void> check(const Lathe& lathe) {
-  const SplineKind kind = kind_of(lathe.spline);
-  if (lathe.points.size() < kind.least_points) {
-    return fail(std::string("lathe needs at least ") + std::to_string(kind.least_points) +
-                " points for a " + kind.name + " spline, found " +
-                std::to_string(lathe.points.size()));
-  }
-  if (lathe.spline == LatheSpline::kBezier && lathe.points.size() % 4 != 0) {
-    return fail("lathe needs four points for each bezier segment, found " +
-                std::to_string(lathe.points.size()) + " points");
-  }
+  Result<void> checked = check_points("lathe", lathe.spline, lathe.points, false);
+  if (!checked) return checked;
   for (const Vec2 p : lathe.points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return fail("lathe point is not finite");
     if (p.x < 0) return fail("lathe point has a negative distance from the axis");
   }
   return {};
-}
-
-/// The curves between the points: see the same splines of a prism.
-std::vector<Curve> spline_curves(LatheSpline spline, const Points& p) {
-  std::vector<Curve> curves;
-  switch (spline) {
-    case LatheSpline::kLinear:
-      for (std::size_t i = 1; i < p.size(); ++i) curves.push_back(line(p[i - 1], p[i]));
-      break;
-    case LatheSpline::kQuadratic:
-      for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-        curves.push_back(quadratic(p[i], p[i] + 0.25 * (p[i + 1] - p[i - 1]), p[i + 1]));
-      }
-      break;
-    case LatheSpline::kCubic:
-      for (std::size_t i = 1; i + 2 < p.size(); ++i) {
-        curves.push_back(cubic(p[i], p[i] + (1.0 / 6) * (p[i + 1] - p[i - 1]),
-                               p[i + 1] - (1.0 / 6) * (p[i + 2] - p[i]), p[i + 1]));
-      }
-      break;
-    case LatheSpline::kBezier:
-      for (std::size_t i = 0; i + 3 < p.size(); i += 4) {
-        curves.push_back(cubic(p[i], p[i + 1], p[i + 2], p[i + 3]));
-      }
-      break;
-  }
-  return curves;
 }
 
 /// Adds to the box where a coordinate of the curve turns.
@@ -135,7 +79,7 @@ Result<LatheCurves> lathe_curves(const Lathe& lathe) {
   out.scale = 0;
   for (const Vec2 p : lathe.points) out.scale = std::max({out.scale, p.x, std::fabs(p.y)});
   if (!(out.scale > 1e-300)) return fail("lathe points are all at the origin");
-  Points points = lathe.points;
+  std::vector<Vec2> points = lathe.points;
   for (Vec2& p : points) p = {p.x / out.scale, p.y / out.scale};
 
   const std::vector<Curve> curves = spline_curves(lathe.spline, points);

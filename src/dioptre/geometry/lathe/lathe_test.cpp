@@ -20,14 +20,14 @@ double first_x(const Lathe& lathe, double y) {
 // Reference values: the same lathes in POV-Ray 3.7, by its trace() function.
 TEST(Lathe, SplinesAreThoseOfPovRay) {
   const std::vector<Vec2> points{{0.3, -1.2}, {1, -1}, {1.4, 0}, {0.7, 0.5}, {1.2, 1}, {2, 2}};
-  const Lathe quadratic{LatheSpline::kQuadratic, points}, cubic{LatheSpline::kCubic, points};
+  const Lathe quadratic{OutlineSpline::kQuadratic, points}, cubic{OutlineSpline::kCubic, points};
   EXPECT_NEAR(first_x(quadratic, 0.2), 1.307487033, 1e-7);
   EXPECT_NEAR(first_x(quadratic, 0.8), 0.856, 1e-7);
   EXPECT_NEAR(first_x(quadratic, 1.5), 1.612310579, 1e-7);
   EXPECT_NEAR(first_x(cubic, -0.5), 1.295464749, 1e-7);
   EXPECT_NEAR(first_x(cubic, 0.2), 1.210315252, 1e-7);
   EXPECT_NEAR(first_x(cubic, 0.8), 0.971840637, 1e-7);
-  const Lathe bezier{LatheSpline::kBezier,
+  const Lathe bezier{OutlineSpline::kBezier,
                      {{1, 0}, {2, 0.3}, {2, 0.7}, {1, 1}, {1, 1}, {0.5, 1.3}, {0.5, 1.7}, {1, 2}}};
   EXPECT_NEAR(first_x(bezier, 0.4), 1.722694521, 1e-7);
   EXPECT_NEAR(first_x(bezier, 1.4), 0.638652739, 1e-7);
@@ -37,14 +37,14 @@ TEST(Lathe, InsideIsWhereAnOddNumberOfCurvesIsFartherOut) {
   const auto inside = [](const Lathe& lathe, double r, double y) {
     return prepare(lathe).value()->contains({r, y, 0});
   };
-  const Lathe cone{LatheSpline::kLinear, {{2, 0}, {1, 2}}};
+  const Lathe cone{OutlineSpline::kLinear, {{2, 0}, {1, 2}}};
   EXPECT_TRUE(inside(cone, 1.25, 0.2));
   EXPECT_FALSE(inside(cone, 1.25, 1.7));
   EXPECT_FALSE(inside(cone, 0.75, 0.2));
-  const Lathe outside_open{LatheSpline::kLinear, {{2, 0}, {1, 0}, {1, 2}, {2, 2}}};
+  const Lathe outside_open{OutlineSpline::kLinear, {{2, 0}, {1, 0}, {1, 2}, {2, 2}}};
   EXPECT_FALSE(inside(outside_open, 1.5, 1));
   const Lathe overlap{
-      LatheSpline::kLinear,
+      OutlineSpline::kLinear,
       {{1, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 0}, {1.5, 0}, {3, 0}, {3, 2}, {1.5, 2}, {1.5, 0}}};
   EXPECT_TRUE(inside(overlap, 1.25, 1));
   EXPECT_FALSE(inside(overlap, 1.75, 1));
@@ -52,7 +52,7 @@ TEST(Lathe, InsideIsWhereAnOddNumberOfCurvesIsFartherOut) {
 }
 
 TEST(Lathe, ClosingFacesAreNotSeen) {
-  const ShapePtr cup = prepare(Lathe{LatheSpline::kLinear, {{0.5, 0}, {1, 2}}}).value();
+  const ShapePtr cup = prepare(Lathe{OutlineSpline::kLinear, {{0.5, 0}, {1, 2}}}).value();
   Crossing hit;
   EXPECT_FALSE(cup->nearest({{0.7, 5, 0}, {0, -1, 0}}, {0, 4}, hit));
   Crossings all;
@@ -63,7 +63,7 @@ TEST(Lathe, ClosingFacesAreNotSeen) {
 }
 
 TEST(Lathe, LevelAndNearlyLevelRaysMeetTheSameSurface) {
-  const ShapePtr shape = prepare(Lathe{LatheSpline::kCubic,
+  const ShapePtr shape = prepare(Lathe{OutlineSpline::kCubic,
                                        {{2, 1},
                                         {2, -1},
                                         {3, -1},
@@ -103,14 +103,14 @@ TEST(Lathe, LevelAndNearlyLevelRaysMeetTheSameSurface) {
 
 TEST(Lathe, OddParametersGiveAnErrorOrAShape) {
   EXPECT_FALSE(prepare(Lathe{}));
-  EXPECT_FALSE(prepare(Lathe{LatheSpline::kLinear, {{1, 0}, {1, 0}}}));
-  EXPECT_FALSE(prepare(Lathe{LatheSpline::kLinear, {{0, 0}, {0, 0}}}));
-  EXPECT_FALSE(prepare(Lathe{LatheSpline::kLinear, {{-1, 0}, {1, 0}}}));
-  EXPECT_FALSE(prepare(Lathe{LatheSpline::kBezier, {{1, 0}, {1, 0}, {2, 1}, {1, 3}, {2, 2}}}));
-  EXPECT_FALSE(prepare(Lathe{LatheSpline::kLinear, {{std::nan(""), 0}, {1, 0}}}));
+  EXPECT_FALSE(prepare(Lathe{OutlineSpline::kLinear, {{1, 0}, {1, 0}}}));
+  EXPECT_FALSE(prepare(Lathe{OutlineSpline::kLinear, {{0, 0}, {0, 0}}}));
+  EXPECT_FALSE(prepare(Lathe{OutlineSpline::kLinear, {{-1, 0}, {1, 0}}}));
+  EXPECT_FALSE(prepare(Lathe{OutlineSpline::kBezier, {{1, 0}, {1, 0}, {2, 1}, {1, 3}, {2, 2}}}));
+  EXPECT_FALSE(prepare(Lathe{OutlineSpline::kLinear, {{std::nan(""), 0}, {1, 0}}}));
   for (const double size : {1e-290, 1e-30, 1e30, 1e300}) {
     const Result<ShapePtr> shape =
-        prepare(Lathe{LatheSpline::kQuadratic, {{0, 0}, {0, 0}, {size, 0}, {size, size}}});
+        prepare(Lathe{OutlineSpline::kQuadratic, {{0, 0}, {0, 0}, {size, 0}, {size, size}}});
     ASSERT_TRUE(shape);
     Crossings out;
     (*shape)->crossings({{size, 0.5 * size, size}, {-1, 0.1, -1}}, Interval::all(), out);

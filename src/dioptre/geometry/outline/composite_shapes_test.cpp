@@ -24,25 +24,25 @@ struct Case {
 /// From the package fonts-dejavu-core.
 std::string font() { return "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; }
 
-Prism prism_of(PrismSpline spline, bool conic) {
+Prism prism_of(OutlineSpline spline, bool conic) {
   Prism p;
   p.spline = spline;
   p.conic = conic;
   p.height1 = conic ? -1 : 0.5;
   p.height2 = conic ? 1.5 : -1;
   switch (spline) {
-    case PrismSpline::kLinear:
+    case OutlineSpline::kLinear:
       p.outlines = {{{1, 1}, {-1, 1}, {-1, -1}, {0.5, -1}, {0, 0}},
                     {{-0.5, 0.5}, {0, 0.8}, {0.1, 0.4}}};
       break;
-    case PrismSpline::kQuadratic:
+    case OutlineSpline::kQuadratic:
       p.outlines = {{{0.3, -1.2}, {1, -1}, {1.4, 1}, {-1, 1.2}, {-1, -1}, {1, -1}}};
       break;
-    case PrismSpline::kCubic:
+    case OutlineSpline::kCubic:
       p.outlines = {
           {{0.3, -1.2}, {1, -1}, {1.4, 1}, {0, 0.3}, {-1, 1.2}, {-1, -1}, {1, -1}, {2, 2}}};
       break;
-    case PrismSpline::kBezier:
+    case OutlineSpline::kBezier:
       p.outlines = {{{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 2}, {3, 1}, {2, 0}, {0, 0}}};
       break;
   }
@@ -90,7 +90,7 @@ std::vector<Case> cases() {
   for (int i = 0; i < 4; ++i) {
     for (bool conic : {false, true}) {
       all.push_back({std::string(names[i]) + (conic ? "Conic" : "") + "Prism",
-                     prism_of(static_cast<PrismSpline>(i), conic)});
+                     prism_of(static_cast<OutlineSpline>(i), conic)});
     }
   }
   all.push_back({"Blob", lumps()});

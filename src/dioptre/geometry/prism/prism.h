@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "dioptre/core/vec.h"
+#include "dioptre/geometry/outline/outline_spline.h"
 #include "dioptre/geometry/shape.h"
 
 namespace dioptre {
-
-/// How the control points of an outline make a curve (as in a scene file).
-enum class PrismSpline : std::uint8_t {
-  kLinear,     ///< p1 ... pn: straight lines. At least 3 points
-  kQuadratic,  ///< c p1 ... pn: parabolas through p1 ... pn; c only bends the first. At least 4
-  kCubic,   ///< c p1 ... pn d: Catmull-Rom through p1 ... pn; c, d only bend the ends. At least 5
-  kBezier,  ///< groups of 4: begin, two controls, end. At least 1 group
-};
 
 /// A closed outline in the x-z plane swept along y: straight (linear sweep) or from the origin
 /// (conic sweep: the outline is that at y = 1 and shrinks to a point at y = 0; below 0 it is
@@ -27,7 +19,7 @@ enum class PrismSpline : std::uint8_t {
 /// number of sub-outlines is around it.
 struct Prism {
   static constexpr const char* kName = "prism";
-  PrismSpline spline = PrismSpline::kLinear;
+  OutlineSpline spline = OutlineSpline::kLinear;
   bool conic = false;
   double height1 = 0;
   double height2 = 1;

@@ -20,7 +20,7 @@ double first_x(const Prism& prism, double from, double z) {
 // Reference values: the same prisms in POV-Ray 3.7, by its trace() function.
 TEST(Prism, QuadraticSplineIsThatOfPovRay) {
   Prism p;
-  p.spline = PrismSpline::kQuadratic;
+  p.spline = OutlineSpline::kQuadratic;
   p.outlines = {{{0.3, -1.2}, {1, -1}, {1.4, 1}, {-1, 1.2}, {-1, -1}, {1, -1}}};
   EXPECT_NEAR(first_x(p, -10, -0.9), -1.034608112, 1e-9);
   EXPECT_NEAR(first_x(p, -10, 0.6), -1.288957264, 1e-9);
@@ -30,7 +30,7 @@ TEST(Prism, QuadraticSplineIsThatOfPovRay) {
 
 TEST(Prism, CubicSplineIsThatOfPovRay) {
   Prism p;
-  p.spline = PrismSpline::kCubic;
+  p.spline = OutlineSpline::kCubic;
   p.outlines = {{{0.3, -1.2}, {1, -1}, {1.4, 1}, {0, 0.3}, {-1, 1.2}, {-1, -1}, {1, -1}, {2, 2}}};
   EXPECT_NEAR(first_x(p, -10, -0.9), -1.065567625, 1e-9);
   EXPECT_NEAR(first_x(p, -10, 0.9), -1.100961199, 1e-9);
@@ -40,7 +40,7 @@ TEST(Prism, CubicSplineIsThatOfPovRay) {
 
 TEST(Prism, BezierSplineIsThatOfPovRay) {
   Prism p;
-  p.spline = PrismSpline::kBezier;
+  p.spline = OutlineSpline::kBezier;
   p.outlines = {{{0, 0}, {0, 1}, {1, 2}, {2, 2}, {2, 2}, {3, 1}, {2, 0}, {0, 0}}};
   EXPECT_NEAR(first_x(p, -10, 1), 0.319955209, 1e-9);
   EXPECT_NEAR(first_x(p, 10, 1), 2.360089581, 1e-9);
@@ -101,7 +101,7 @@ TEST(Prism, ScaleDoesNotMatter) {
   for (int k = -12; k <= 12; ++k) {
     const double s = std::pow(10, k);
     Prism p;
-    p.spline = PrismSpline::kCubic;
+    p.spline = OutlineSpline::kCubic;
     p.height2 = s;
     p.outlines = {{{0.3, -1.2}, {1, -1}, {1.4, 1}, {0, 0.3}, {-1, 1.2}, {-1, -1}, {1, -1}, {2, 2}}};
     for (Vec2& v : p.outlines[0]) v = s * v;
@@ -120,7 +120,7 @@ TEST(Prism, WrongParametersAreRefused) {
             "prism needs at least 3 points for a linear spline, found 2");
   p.outlines = {{{0, 0}, {1, 0}, {0, std::nan("")}}};
   EXPECT_EQ(prepare(p).error().message, "prism point is not finite");
-  p.spline = PrismSpline::kBezier;
+  p.spline = OutlineSpline::kBezier;
   p.outlines = {{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {0, 0}}};
   EXPECT_EQ(prepare(p).error().message,
             "prism needs four points for each bezier segment, found 5 points");

@@ -48,23 +48,12 @@ std::vector<Vec2> parse_profile(Parser& parser, std::string_view shape, std::int
 
 Lathe parse_lathe(Parser& parser) {
   Lathe lathe;
-  std::int64_t fewest = 2;
-  if (parser.accept(Keyword::kLinearSpline)) {
-    lathe.spline = LatheSpline::kLinear;
-  } else if (parser.accept(Keyword::kQuadraticSpline)) {
-    lathe.spline = LatheSpline::kQuadratic;
-    fewest = 3;
-  } else if (parser.accept(Keyword::kCubicSpline)) {
-    lathe.spline = LatheSpline::kCubic;
-    fewest = 4;
-  } else if (parser.accept(Keyword::kBezierSpline)) {
-    lathe.spline = LatheSpline::kBezier;
-    fewest = 4;
-  }
+  lathe.spline = parse_outline_spline(parser).value_or(OutlineSpline::kLinear);
   parser.skip_comma();
   const SourcePosition where = parser.position();
-  lathe.points = parse_profile(parser, "lathe", fewest);
-  if (lathe.spline == LatheSpline::kBezier && lathe.points.size() % 4 != 0) {
+  lathe.points =
+      parse_profile(parser, "lathe", static_cast<std::int64_t>(least_points(lathe.spline, false)));
+  if (lathe.spline == OutlineSpline::kBezier && lathe.points.size() % 4 != 0) {
     parser.fail_at(where, "a bezier_spline needs four points for each piece, found " +
                               std::to_string(lathe.points.size()));
   }

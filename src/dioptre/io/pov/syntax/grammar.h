@@ -74,6 +74,8 @@ void parse_csg(Parser& parser, Keyword keyword, Item& item);
 void parse_mesh(Parser& parser, Item& item);
 void parse_mesh2(Parser& parser, Item& item);
 void parse_blob(Parser& parser, Item& item);
+/// linear_spline, quadratic_spline, cubic_spline or bezier_spline; nothing if none is next.
+std::optional<OutlineSpline> parse_outline_spline(Parser& parser);
 void parse_prism(Parser& parser, Item& item);
 void parse_height_field(Parser& parser, Item& item);
 

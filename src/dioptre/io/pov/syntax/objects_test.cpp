@@ -39,7 +39,7 @@ TEST(Shapes, APrismIsCutWhereAnOutlineCloses) {
 TEST(Shapes, RevolvedCurvesAreAsWritten) {
   EXPECT_EQ(shape_of<Superellipsoid>("superellipsoid { <.2, .3> }"), (Superellipsoid{0.2, 0.3}));
   EXPECT_EQ(shape_of<Lathe>("lathe { quadratic_spline 3, <0, 0>, <1, 1> <0, 2> sturm }"),
-            (Lathe{LatheSpline::kQuadratic, {{0, 0}, {1, 1}, {0, 2}}, true}));
+            (Lathe{OutlineSpline::kQuadratic, {{0, 0}, {1, 1}, {0, 2}}, true}));
   EXPECT_EQ(shape_of<Sor>("sor { 4, <0, 0> <1, 1> <1, 2> <0, 3> open }"),
             (Sor{{{0, 0}, {1, 1}, {1, 2}, {0, 3}}, true}));
 }

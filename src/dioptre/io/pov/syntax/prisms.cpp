@@ -11,14 +11,8 @@ namespace {
 constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
 
 bool parse_kind(Parser& parser, Prism& prism) {
-  if (parser.accept(Keyword::kLinearSpline)) {
-    prism.spline = PrismSpline::kLinear;
-  } else if (parser.accept(Keyword::kQuadraticSpline)) {
-    prism.spline = PrismSpline::kQuadratic;
-  } else if (parser.accept(Keyword::kCubicSpline)) {
-    prism.spline = PrismSpline::kCubic;
-  } else if (parser.accept(Keyword::kBezierSpline)) {
-    prism.spline = PrismSpline::kBezier;
+  if (const std::optional<OutlineSpline> spline = parse_outline_spline(parser)) {
+    prism.spline = *spline;
   } else if (parser.accept(Keyword::kLinearSweep)) {
     prism.conic = false;
   } else if (parser.accept(Keyword::kConicSweep)) {
@@ -50,8 +44,8 @@ class SamePoint {
 /// back; a cubic one has one point more.
 void cut_outlines(Parser& parser, Prism& prism, std::vector<Vec2>& points) {
   const SamePoint same(points);
-  const std::size_t before = prism.spline == PrismSpline::kLinear ? 0 : 1;
-  const std::size_t after = prism.spline == PrismSpline::kCubic ? 1 : 0;
+  const std::size_t before = prism.spline == OutlineSpline::kLinear ? 0 : 1;
+  const std::size_t after = prism.spline == OutlineSpline::kCubic ? 1 : 0;
   std::size_t begin = 0;
   while (begin < points.size()) {
     const std::size_t first = begin + before;
@@ -92,6 +86,14 @@ void cut_bezier(Parser& parser, Prism& prism, const std::vector<Vec2>& points) {
 
 }  // namespace
 
+std::optional<OutlineSpline> parse_outline_spline(Parser& parser) {
+  if (parser.accept(Keyword::kLinearSpline)) return OutlineSpline::kLinear;
+  if (parser.accept(Keyword::kQuadraticSpline)) return OutlineSpline::kQuadratic;
+  if (parser.accept(Keyword::kCubicSpline)) return OutlineSpline::kCubic;
+  if (parser.accept(Keyword::kBezierSpline)) return OutlineSpline::kBezier;
+  return std::nullopt;
+}
+
 void parse_prism(Parser& parser, Item& item) {
   Prism prism;
   while (parse_kind(parser, prism)) {
@@ -107,13 +109,11 @@ void parse_prism(Parser& parser, Item& item) {
     parser.skip_comma();
     points.push_back(parser.parse_vec2());
   }
-  const std::size_t fewest = prism.spline == PrismSpline::kLinear  ? 3
-                             : prism.spline == PrismSpline::kCubic ? 5
-                                                                   : 4;
+  const std::size_t fewest = least_points(prism.spline, true);
   if (points.size() < fewest) {
     parser.fail_at(where, "this prism needs at least " + std::to_string(fewest) + " points");
   }
-  if (prism.spline == PrismSpline::kBezier) {
+  if (prism.spline == OutlineSpline::kBezier) {
     cut_bezier(parser, prism, points);
   } else {
     cut_outlines(parser, prism, points);
