@@ -35,6 +35,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"--heatmap", "NAMES", "Heatmap", "write what pixels cost as a PNG: rays, steps, tests, ..."},
     {"--progress", "KIND", "Progress", "auto, plain, json or none"},
     {"--pixel", "X,Y", "Explain_Pixel", "to explain; columns and rows from 0, the top left"},
+    {"--rays", "N", "Compared_Rays", "of each sort that compare measures, about"},
     {"--csv", "FILE", "Report_Csv", "what compare found, as a table; - is the standard output"},
     {"--html", "FILE", "Report_Html", "what compare or explain found, as a page"},
     {"--json", "FILE", "Report_Json", "the same as JSON"},

@@ -58,6 +58,7 @@ int compare_command(const AppSettings& settings) {
   if (const auto fits = check_size(settings); !fits) return report_error(fits.error().message);
   CompareOptions options;
   options.accelerators = named_accelerators(settings);
+  options.sample = settings.compared_rays;
   if (const auto known = check_accelerators(options.accelerators); !known) {
     report_error(known.error().message);
     return kUsage;

@@ -116,7 +116,7 @@ void set_polygon_test(Scene& scene, PolygonTest test) {
 std::optional<LoadedScene> load(const AppSettings& settings, std::int64_t frame,
                                 const std::atomic<bool>* cancel) {
   std::optional<LoadedScene> loaded = read(settings, frame, cancel);
-  if (loaded) set_polygon_test(loaded->scene, settings.polygon_test);
+  if (loaded && settings.polygon_test) set_polygon_test(loaded->scene, *settings.polygon_test);
   return loaded;
 }
 

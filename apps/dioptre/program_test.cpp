@@ -30,6 +30,10 @@ class Program : public testing::Test {
   void put(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
+  std::string read(const std::string& name) const {
+    std::ifstream in(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  }
   /// The exit code of the program in the test's folder.
   int run(const std::string& arguments) const {
     const std::string command = "cd '" + folder_.string() +
@@ -81,11 +85,23 @@ TEST_F(Program, TheImageGoesToTheStandardOutput) {
   EXPECT_TRUE(read_image((folder_ / "out.ppm").string(), {}));
 }
 
+TEST_F(Program, PolygonsKeepTheirTestUnlessAnotherIsNamed) {
+  Polygon polygon;
+  polygon.outlines = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  polygon.test = PolygonTest::kAngles;
+  Scene scene;
+  scene.objects.emplace_back().geometry = ShapeData(polygon);
+  put("angles.json", write_json(scene));
+  ASSERT_EQ(run("dump angles.json > kept.json"), 0);
+  ASSERT_EQ(run("dump angles.json --polygon-test crossings > changed.json"), 0);
+  EXPECT_EQ(read("kept.json"), write_json(scene));
+  std::get<Polygon>(std::get<ShapeData>(scene.objects[0].geometry)).test = PolygonTest::kCrossings;
+  EXPECT_EQ(read("changed.json"), write_json(scene));
+}
+
 TEST_F(Program, ADumpIsTheSameScene) {
   ASSERT_EQ(run("dump scene.json > again.json"), 0);
-  std::ifstream in(folder_ / "again.json");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(text, write_json(Scene{}));
+  EXPECT_EQ(read("again.json"), write_json(Scene{}));
 }
 
 }  // namespace

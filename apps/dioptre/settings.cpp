@@ -195,6 +195,7 @@ const Option kOptions[] = {
     {"Attenuation", attenuation},
     {"Bits_Per_Color", whole<1.0, 16.0, &S::bits>},
     {"Clock", number<-1e300, 1e300, &S::clock>},
+    {"Compared_Rays", whole<1.0, 100e6, &S::compared_rays>},
     {"Compression", whole<0.0, 100.0, &S::compression>},
     {"Cyclic_Animation", flag<&S::cyclic>},
     {"Debug_Console", flag<&S::debug_messages>},

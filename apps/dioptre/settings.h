@@ -51,9 +51,10 @@ struct AppSettings {
   std::uint32_t quality = 9;
   std::uint32_t threads = 0;
   std::string accelerator = "bvh";   ///< for compare several, with commas in between
+  std::uint32_t compared_rays = 100'000;  ///< of each sort, about
   bool accelerator_is_named = false;  ///< not the default
   std::string integrator = "whitted";
-  PolygonTest polygon_test = PolygonTest::kCrossings;
+  std::optional<PolygonTest> polygon_test;  ///< the scene's own, if not given
   std::optional<std::array<std::uint32_t, 2>> pixel;  ///< to explain: column and row, from 0
   LightShape penumbra = LightShape::kGrid;
   std::uint32_t light_samples = 64;

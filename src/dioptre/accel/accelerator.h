@@ -68,7 +68,8 @@ struct AcceleratorOptions {
   std::optional<Vec3> eye;
 };
 
-/// The names that make_accelerator knows, best first. "slabs:K" is known too, K from 3 to 13.
+/// The names that make_accelerator knows, best first. "slabs:K" is known too, K from 3 to 13, and
+/// "extents:NAME", with the structure for all rays but those from the eye ("bvh" for "extents").
 std::span<const std::string_view> accelerator_names();
 
 /// Builds the named structure over the boxes. Empty boxes are never reported; unbounded ones are

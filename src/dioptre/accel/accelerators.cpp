@@ -106,8 +106,19 @@ AcceleratorPtr make_bsp(Boxes boxes, const Options&) {
   return std::make_unique<Over<SplitTree>>(sort_boxes(boxes), build);
 }
 
+/// For the rays that do not start in the eye the structure `others` stands over the same boxes.
+template <class MakeOthers>
+AcceleratorPtr make_extents_over(Boxes boxes, const Options& options, MakeOthers others) {
+  BoxSet set = sort_boxes(boxes);
+  std::vector<Bounds> walkable;
+  walkable.reserve(set.walkable.size());
+  for (const BoxedItem& each : set.walkable) walkable.push_back(each.box);
+  return std::make_unique<Over<ScreenExtents>>(std::move(set), options.eye,
+                                               others(walkable, options));
+}
+
 AcceleratorPtr make_extents(Boxes boxes, const Options& options) {
-  return std::make_unique<Over<ScreenExtents>>(sort_boxes(boxes), options.eye);
+  return make_extents_over(boxes, options, make_bvh);
 }
 
 /// The one table of accelerators.
@@ -150,6 +161,17 @@ Make find_slabs(std::string_view name) {
   return directions >= 3 && directions - 3 < kSlabs.size() ? kSlabs[directions - 3] : nullptr;
 }
 
+/// The structure that "extents:NAME" pairs the extents with, or null.
+Make find_paired(std::string_view name) {
+  constexpr std::string_view kPrefix = "extents:";
+  if (!name.starts_with(kPrefix)) return nullptr;
+  name.remove_prefix(kPrefix.size());
+  for (const Row& row : kTable) {
+    if (row.name == name) return row.make;
+  }
+  return find_slabs(name);
+}
+
 }  // namespace
 
 std::span<const std::string_view> accelerator_names() { return kNames; }
@@ -160,6 +182,7 @@ Result<AcceleratorPtr> make_accelerator(std::string_view name, std::span<const B
     if (row.name == name) return row.make(boxes, options);
   }
   if (const auto make_slabs = find_slabs(name)) return make_slabs(boxes, options);
+  if (const auto paired = find_paired(name)) return make_extents_over(boxes, options, paired);
   std::string message = "there is no accelerator '" + std::string(name) + "'; there are:";
   for (const std::string_view each : kNames) message.append(" ").append(each);
   return fail(std::move(message));

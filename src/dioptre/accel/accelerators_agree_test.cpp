@@ -298,7 +298,7 @@ std::string case_name(const testing::TestParamInfo<EveryKindOfBox::ParamType>& i
 std::vector<std::string_view> names() {
   const auto all = accelerator_names();
   std::vector<std::string_view> names(all.begin(), all.end());
-  names.insert(names.end(), {"slabs:3", "slabs:13"});
+  names.insert(names.end(), {"slabs:3", "slabs:13", "extents:boxes", "extents:slabs:5"});
   return names;
 }
 
@@ -307,10 +307,11 @@ INSTANTIATE_TEST_SUITE_P(All, EveryKindOfBox,
                          case_name);
 
 TEST(Accelerators, SlabsTakeThreeToThirteenDirections) {
-  for (const char* name : {"slabs:3", "slabs:4", "slabs:13"})
+  for (const char* name : {"slabs:3", "slabs:4", "slabs:13", "extents:grid", "extents:slabs:7"})
     EXPECT_TRUE(make_accelerator(name, {}));
-  for (const char* name : {"slabs:", "slabs:2", "slabs:14", "slabs:7x", "slabs:-3",
-                           "slabs:99999999999999999999", "slabs:+7"}) {
+  for (const char* name :
+       {"slabs:", "slabs:2", "slabs:14", "slabs:7x", "slabs:-3", "slabs:99999999999999999999",
+        "slabs:+7", "extents:", "extents:x", "extents:extents:bvh"}) {
     EXPECT_FALSE(make_accelerator(name, {})) << name;
   }
 }

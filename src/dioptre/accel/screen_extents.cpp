@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "dioptre/accel/screen_square.h"
 
@@ -23,13 +24,6 @@ double distance_to(const Bounds& seen) {
     gap[axis] = std::max({seen.min[axis], -seen.max[axis], 0.0});
   }
   return length(gap);
-}
-
-std::vector<Bounds> boxes_of(std::span<const BoxedItem> items) {
-  std::vector<Bounds> boxes;
-  boxes.reserve(items.size());
-  for (const BoxedItem& each : items) boxes.push_back(each.box);
-  return boxes;
 }
 
 bool moderate(Vec3 v) { return max_component(abs(v)) <= 1e100; }
@@ -95,20 +89,23 @@ class ScreenBuilder {
   Vec3 eye_;
 };
 
-/// Passes on what the hierarchy for the other rays finds.
-struct ScreenExtents::Report {
-  const std::vector<std::uint32_t>& item_of;
-  LeafVisitor& leaf;
-  WalkCost& cost;
-  void step() { ++cost.nodes; }
-  bool operator()(std::uint32_t index, Interval& left) {
-    ++cost.items;
-    return leaf.visit(item_of[index], left);
+/// Passes on what the other structure finds, under the numbers of the items.
+class ScreenExtents::Renumbering final : public LeafVisitor {
+ public:
+  Renumbering(const std::vector<std::uint32_t>& item_of, LeafVisitor& leaf)
+      : item_of_(item_of), leaf_(leaf) {}
+  bool visit(std::uint32_t index, Interval& range) override {
+    return leaf_.visit(item_of_[index], range);
   }
+
+ private:
+  const std::vector<std::uint32_t>& item_of_;
+  LeafVisitor& leaf_;
 };
 
-ScreenExtents::ScreenExtents(std::span<const BoxedItem> items, std::optional<Vec3> eye)
-    : others_(boxes_of(items), 1) {
+ScreenExtents::ScreenExtents(std::span<const BoxedItem> items, std::optional<Vec3> eye,
+                             AcceleratorPtr others)
+    : others_(std::move(others)) {
   for (const BoxedItem& each : items) item_of_.push_back(each.item);
   if (!eye || !moderate(*eye)) return;
   eye_ = eye;
@@ -129,7 +126,8 @@ void ScreenExtents::walk(const Ray& ray, Interval range, LeafVisitor& leaf, Walk
     look(ray, range, leaf, cost);
     return;
   }
-  others_.traverse(ray, range, Report{item_of_, leaf, cost});
+  Renumbering renumbering(item_of_, leaf);
+  others_->visit(ray, range, renumbering, cost);
 }
 
 void ScreenExtents::look(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const {
@@ -156,15 +154,19 @@ std::span<const std::uint32_t> ScreenExtents::covering(Vec3 direction) const {
 }
 
 void ScreenExtents::items_at(Vec3 p, std::vector<std::uint32_t>& items) const {
-  others_.visit_at(p, [&](std::uint32_t index) { items.push_back(item_of_[index]); });
+  const std::size_t first = items.size();
+  others_->items_at(p, items);
+  for (std::size_t i = first; i < items.size(); ++i) items[i] = item_of_[items[i]];
 }
 
 AcceleratorStatistics ScreenExtents::statistics() const {
-  return {
-      first_.size() + others_.node_count(), listed_.size() + others_.item_count(),
-      others_.bytes() +
-          (first_.capacity() + listed_.capacity() + item_of_.capacity()) * sizeof(std::uint32_t) +
-          seen_.capacity() * sizeof(Seen)};
+  AcceleratorStatistics size = others_->statistics();
+  size.nodes += first_.size();
+  size.references += listed_.size();
+  size.bytes +=
+      (first_.capacity() + listed_.capacity() + item_of_.capacity()) * sizeof(std::uint32_t) +
+      seen_.capacity() * sizeof(Seen);
+  return size;
 }
 
 }  // namespace dioptre

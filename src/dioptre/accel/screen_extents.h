@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "dioptre/accel/accelerator.h"
-#include "dioptre/accel/bounding_volume_hierarchy.h"
 #include "dioptre/accel/box_set.h"
 
 namespace dioptre {
@@ -17,12 +16,12 @@ namespace dioptre {
 ///
 /// The screens are the six faces of a cube around the eye, whatever the camera looks at, and each
 /// is divided into squares that list the items whose extent covers them, nearest first (as in
-/// Haines and Greenberg 1986, "The light buffer"). Rays that do not start in the eye walk a
-/// hierarchy over the same boxes.
+/// Haines and Greenberg 1986, "The light buffer"). Rays that do not start in the eye walk another
+/// structure over the same boxes.
 class ScreenExtents {
  public:
-  /// Without an eye all rays take the hierarchy.
-  ScreenExtents(std::span<const BoxedItem> items, std::optional<Vec3> eye);
+  /// `others` stands over the boxes of the items, in their order. Without an eye all rays take it.
+  ScreenExtents(std::span<const BoxedItem> items, std::optional<Vec3> eye, AcceleratorPtr others);
 
   /// Reports the items whose box the ray meets.
   void walk(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const;
@@ -39,7 +38,7 @@ class ScreenExtents {
     std::uint32_t item;
   };
 
-  struct Report;
+  class Renumbering;
 
   void look(const Ray& ray, Interval range, LeafVisitor& leaf, WalkCost& cost) const;
   std::span<const std::uint32_t> covering(Vec3 direction) const;
@@ -49,8 +48,8 @@ class ScreenExtents {
   std::size_t side_ = 1;  ///< squares along each side of a screen
   /// Square i of all screens lists listed_[first_[i], first_[i + 1]).
   std::vector<std::uint32_t> first_, listed_;
-  std::vector<std::uint32_t> item_of_;  ///< the items of the hierarchy's boxes
-  BoundingVolumeHierarchy others_;
+  std::vector<std::uint32_t> item_of_;  ///< the items of the boxes in `others_`
+  AcceleratorPtr others_;
 };
 
 }  // namespace dioptre

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/integrators/direct_light.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -126,7 +127,8 @@ Color DirectLight::shape_mean(std::size_t number, const SurfaceInteraction& at, 
     return random_at(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(place),
                      cell, dimension);
   };
-  const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(penumbra_.samples)));
+  const auto side =
+      static_cast<std::uint32_t>(std::ceil(std::sqrt(std::clamp(penumbra_.samples, 1u, 65536u))));
   Color sum;
   const Item* blocker = nullptr;
   for (std::uint32_t cell = 0; cell < side * side; ++cell) {

@@ -61,7 +61,7 @@ struct LengthAttenuation {
 struct Penumbra {
   LightShape shape = LightShape::kGrid;
   /// Of a shape other than the grid: at least as many, one at random in each cell of a grid (R. L.
-  /// Cook, "Stochastic Sampling in Computer Graphics", 1986).
+  /// Cook, "Stochastic Sampling in Computer Graphics", 1986); 1 to 65536, else the nearer of them.
   std::uint32_t samples = 64;
 };
 

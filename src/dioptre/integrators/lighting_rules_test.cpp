@@ -327,9 +327,9 @@ TEST(CameraNormal, BendsTheRaysAsIfTheyWereNormalsOnTheImage) {
   EXPECT_NEAR(x / std::hypot(x, 1.0), 0.5 * 0.1 * 4 / 3, 0.006);
 }
 
-/// What of a light two units across is seen from a wall past a straight edge half way, which hides
-/// all to the left of `edge` on the light.
-double share_past_an_edge(LightShape shape, double edge, std::uint32_t samples) {
+/// What of a light, two units across or as given, is seen from a wall past a straight edge half
+/// way, which hides all to the left of `edge` on the light.
+double share_past_an_edge(LightShape shape, double edge, std::uint32_t samples, double size = 2) {
   LitScene lit;
   lit.look_at_wall_past_the_light();
   lit.scene.camera.location = {8, 0, -1};
@@ -337,8 +337,8 @@ double share_past_an_edge(LightShape shape, double edge, std::uint32_t samples) 
   Light& light = lit.scene.lights.back();
   light.location = {0, 0, -10};
   light.is_area = true;
-  light.area.axis1 = {2, 0, 0};
-  light.area.axis2 = {0, 2, 0};
+  light.area.axis1 = {size, 0, 0};
+  light.area.axis2 = {0, size, 0};
   lit.add(Box{{-100, -100, -5.001}, {edge / 2, 100, -5}}, {{1, 1, 1}}, finish_of(0, 0));
   RenderOptions options{.width = 1, .height = 1};
   options.integrator_options.penumbra = {shape, samples};
@@ -355,6 +355,14 @@ TEST(Penumbra, IsThePartOfTheLightThatIsSeen) {
   }
   EXPECT_NEAR(share_past_an_edge(LightShape::kSphere, 0, 10000), 0.5, 5e-3);
   EXPECT_NEAR(share_past_an_edge(LightShape::kSphere, -1.1, 100), 1, 1e-6);
+}
+
+TEST(Penumbra, OfASmallLightIsTheShadowOfAPoint) {
+  for (const LightShape shape : {LightShape::kRectangle, LightShape::kDisc, LightShape::kSphere}) {
+    EXPECT_EQ(share_past_an_edge(shape, 0.01, 16, 1e-3), 0);
+    EXPECT_NEAR(share_past_an_edge(shape, -0.01, 16, 1e-3), 1, 1e-6);
+    EXPECT_NEAR(share_past_an_edge(shape, -0.01, 0, 1e-3), 1, 1e-6);
+  }
 }
 
 TEST(Penumbra, GetsSmootherWithMoreSamples) {

@@ -7,16 +7,16 @@
 namespace dioptre {
 
 bool inside_by_angles(const std::vector<std::vector<Vec2>>& outlines, Vec2 p) {
-  long turns = 0;
+  bool odd = false;
   for (const std::vector<Vec2>& outline : outlines) {
     double angle = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 from = outline[i] - p, to = outline[(i + 1) % outline.size()] - p;
       angle += std::atan2(cross(from, to), dot(from, to));
     }
-    turns += std::lround(angle / (2 * std::numbers::pi));
+    odd = odd != (std::lround(angle / (2 * std::numbers::pi)) % 2 != 0);
   }
-  return turns % 2 != 0;
+  return odd;
 }
 
 }  // namespace dioptre

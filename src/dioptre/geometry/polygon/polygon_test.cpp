@@ -112,6 +112,24 @@ TEST(Polygon, BothTestsAgreeOnAMillionPoints) {
   EXPECT_GT(inside, 100000);
 }
 
+// The products of such coordinates overflow: what is inside is unknown, that there is an answer
+// not.
+TEST(Polygon, BothTestsEndForPointsThatAreTooFarAway) {
+  for (const double far : {1e155, 1e300, 1.7e308}) {
+    Polygon polygon;
+    polygon.outlines.assign(3, {{-far, -far, 0}, {far, -far, 0}, {far, far, 0}, {-far, far, 0}});
+    for (const PolygonTest test : {PolygonTest::kCrossings, PolygonTest::kAngles}) {
+      polygon.test = test;
+      const ShapePtr shape = prepare(polygon).value();
+      const Vec2 p{0.1 * far, 0.2 * far};
+      meets(*shape, {p.x, p.y, -1}, {0, 0, 1});
+      std::vector<Vec2> ring;
+      for (const Vec3 corner : polygon.outlines[0]) ring.push_back({corner.x, corner.y});
+      EXPECT_FALSE(inside_by_angles({ring, ring}, p));
+    }
+  }
+}
+
 TEST(Polygon, ThePictureDoesNotDependOnTheTest) {
   Polygon polygon;
   polygon.outlines = {{{-1, -1, 0}, {1, -1, 0}, {0.2, 0, 0}, {1, 1, 0}, {-1, 1, 0}},
