@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "frames.h"
@@ -97,7 +98,7 @@ TEST(CommandLine, EveryKeyIsFoundInAnyCase) {
     AppSettings settings;
     const auto upper = set_option(settings, name, "");
     if (!upper) {
-      EXPECT_EQ(upper.error().message.find("unknown"), std::string::npos) << name;
+      EXPECT_EQ(upper.error().message.find("unknown option"), std::string::npos) << name;
     }
     const auto lower = set_option(settings, to_lower(name), "");
     EXPECT_EQ(upper.has_value(), lower.has_value()) << name;
@@ -204,6 +205,39 @@ TEST(Frames, ClocksRunFromTheFirstToTheLastFrame) {
   EXPECT_DOUBLE_EQ(frame_clock(open, 11), 1);
   const AppSettings cyclic = parse({"+KFF10", "+KC"});
   EXPECT_DOUBLE_EQ(frame_clock(cyclic, 10), 0.9);
+}
+
+// Measured: what POV-Ray 3.7 renders for the same options.
+TEST(Frames, ThereIsAlwaysOne) {
+  struct Case {
+    std::vector<std::string> words;
+    std::int64_t first, last;
+    const char* name;
+  };
+  const Case cases[] = {
+      {{}, 0, 0, "a.png"},
+      {{"+KFF0"}, 0, 0, "a.png"},
+      {{"+KFF0", "+SF3"}, 0, 0, "a.png"},
+      {{"+KFI0"}, 0, 0, "a.png"},
+      {{"+KFI3"}, 3, 3, "a3.png"},
+      {{"+KFI5", "+KFF2"}, 5, 5, "a5.png"},
+      {{"+KFI12", "+KFF2"}, 12, 12, "a12.png"},
+      {{"+KFI2", "+KFF4", "+SF5"}, 5, 5, "a5.png"},
+      {{"+KFI2", "+KFF4", "+SF4", "+EF3"}, 4, 4, "a4.png"},
+      {{"+KFI8", "+KFF12", "+EF4"}, 8, 8, "a08.png"},
+      {{"+KFI8", "+KFF12", "+SF7"}, 8, 12, "a08.png"},
+      {{"+KFI8", "+KFF12", "+SF9", "+EF20"}, 9, 20, "a09.png"},
+  };
+  for (const Case& c : cases) {
+    std::vector<std::string> words = c.words;
+    words.push_back("+Oa.png");
+    const AppSettings s = parse(words);
+    const FrameRange range = frame_range(s);
+    EXPECT_EQ(range.first, c.first) << c.name;
+    EXPECT_EQ(range.last, c.last) << c.name;
+    EXPECT_EQ(output_path(s, range.first), c.name);
+    EXPECT_TRUE(std::isfinite(frame_clock(s, range.first)));
+  }
 }
 
 TEST(Frames, NamesAreAsPovRayHasThem) {

@@ -41,16 +41,20 @@ bool is_device(const std::filesystem::path& path) {
 /// A bound of the subset: a share of all frames if under 1.
 std::int64_t subset_frame(const AppSettings& s, double bound) {
   if (bound >= 1) return static_cast<std::int64_t>(bound);
-  const double frames = static_cast<double>(s.final_frame) - s.initial_frame + 1;
+  const double frames = static_cast<double>(final_frame(s)) - s.initial_frame + 1;
   return s.initial_frame + static_cast<std::int64_t>(std::floor(bound * frames));
 }
 
 }  // namespace
 
-bool is_animation(const AppSettings& settings) { return settings.final_frame >= 0; }
+bool is_animation(const AppSettings& s) {
+  return s.final_frame > 0 || (s.final_frame < 0 && s.initial_frame > 1);
+}
+
+std::int32_t final_frame(const AppSettings& s) { return std::max(s.final_frame, s.initial_frame); }
 
 double clock_delta(const AppSettings& settings) {
-  const double steps = static_cast<double>(settings.final_frame) - settings.initial_frame +
+  const double steps = static_cast<double>(final_frame(settings)) - settings.initial_frame +
                        (settings.cyclic ? 1 : 0);
   if (!is_animation(settings) || steps <= 0) return 0;
   return (settings.final_clock - settings.initial_clock) / steps;
@@ -59,9 +63,9 @@ double clock_delta(const AppSettings& settings) {
 FrameRange frame_range(const AppSettings& s) {
   if (!is_animation(s)) return {0, 0, 1};
   const std::int64_t first = s.subset_start > 0 ? subset_frame(s, s.subset_start) : s.initial_frame;
-  const std::int64_t last = s.subset_end > 0 ? subset_frame(s, s.subset_end) : s.final_frame;
-  return {std::max<std::int64_t>(first, s.initial_frame),
-          std::min<std::int64_t>(last, s.final_frame), s.frame_step};
+  const std::int64_t last = s.subset_end > 0 ? subset_frame(s, s.subset_end) : final_frame(s);
+  const std::int64_t begin = std::max<std::int64_t>(first, s.initial_frame);
+  return {begin, std::max(begin, last), s.frame_step};
 }
 
 double frame_clock(const AppSettings& settings, std::int64_t number) {
@@ -85,7 +89,7 @@ std::string output_path(const AppSettings& settings, std::int64_t frame) {
   }
   if (!is_animation(settings)) return path.string();
   std::string number = std::to_string(frame);
-  const std::size_t digits = std::to_string(settings.final_frame).size();
+  const std::size_t digits = std::to_string(final_frame(settings)).size();
   if (number.size() < digits) number.insert(0, digits - number.size(), '0');
   const std::string end = path.extension().string();
   path.replace_extension();

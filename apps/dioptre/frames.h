@@ -9,20 +9,17 @@
 
 namespace dioptre::app {
 
-/// One picture of an animation.
-struct Frame {
-  std::int32_t number = 0;
-  double clock = 0;
-};
-
-/// Whether the settings ask for an animation.
+/// Whether the settings ask for an animation: a final frame of 0 says that they do not (measured).
 bool is_animation(const AppSettings& settings);
+
+/// The last frame of the animation: one that would be before the initial frame is that (measured).
+std::int32_t final_frame(const AppSettings& settings);
 
 /// The change of the clock from frame to frame; 0 without an animation.
 double clock_delta(const AppSettings& settings);
 
-/// The last frame of the subset to render, and the first; found before any is rendered. Frames run
-/// from `first` by `step` to `last`, ends included.
+/// The frames of the subset to render: from `first` by `step` to `last`, ends included. There is at
+/// least one, and the subset may go on after the final frame (measured).
 struct FrameRange {
   std::int64_t first = 0, last = 0, step = 1;
 };

@@ -44,8 +44,11 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   options.clock_on = is_animation(s);
   options.initial_clock = s.initial_clock;
   options.final_clock = s.final_clock;
-  options.initial_frame = s.initial_frame;
-  options.final_frame = is_animation(s) ? s.final_frame : s.initial_frame;
+  options.initial_frame = is_animation(s) ? s.initial_frame : 0;
+  // Measured: a cyclic animation counts the frame that would be the first again.
+  const std::int64_t last = std::int64_t{final_frame(s)} + (s.cyclic ? 1 : 0);
+  options.final_frame =
+      is_animation(s) ? static_cast<std::int32_t>(std::min<std::int64_t>(last, INT32_MAX)) : 0;
   options.frame_number = static_cast<std::int32_t>(frame);
   for (const auto& [name, value] : s.declares) options.declares[name] = value;
   options.budgets.steps = s.max_steps;

@@ -56,10 +56,6 @@ int render_command(const AppSettings& settings) {
   std::signal(SIGTERM, on_signal);
   std::signal(SIGPIPE, SIG_IGN);
   const FrameRange frames = frame_range(settings);
-  if (frames.first > frames.last) {
-    return report_error("there is no frame to render: the first would be " +
-                        std::to_string(frames.first) + ", the last " + std::to_string(frames.last));
-  }
   if (settings.output_to_file) {
     const auto writable = check_output(settings, output_path(settings, frames.first));
     if (!writable) return report_error(writable.error().message);

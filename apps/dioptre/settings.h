@@ -63,7 +63,7 @@ struct AppSettings {
 
   double clock = 0;
   std::int32_t initial_frame = 1;
-  std::int32_t final_frame = -1;  ///< -1: no animation
+  std::int32_t final_frame = -1;  ///< 0: no animation; -1: none unless it begins after frame 1
   double initial_clock = 0, final_clock = 1;
   double subset_start = 0, subset_end = 0;  ///< under 1 a share of the frames; 0: all
   std::int32_t frame_step = 1;

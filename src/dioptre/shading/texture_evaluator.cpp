@@ -37,9 +37,6 @@ class CompiledTextures final : public TextureEvaluator {
   PigmentColor pigment(PigmentId pigment, Vec3 point) const override {
     return pigments_.color(pigment, {point, {}, {}});
   }
-  Vec3 turbulence(Vec3 p, std::uint32_t octaves, double omega, double lambda) const override {
-    return vector_turbulence(p, {octaves, omega, lambda});
-  }
   Vec3 perturb(NormalId normal, Vec3 position, Vec3 unit_normal) const override {
     return normals_.disturbed(normal, {position, {unit_normal, -unit_normal}, {}}, unit_normal);
   }

@@ -60,8 +60,6 @@ class TextureEvaluator {
   /// True if the texture lets no light through anywhere.
   virtual bool opaque(TextureId texture) const = 0;
   virtual PigmentColor pigment(PigmentId pigment, Vec3 point) const = 0;
-  /// Vector noise turbulence, for fog: sum of omega^i dnoise(lambda^i p).
-  virtual Vec3 turbulence(Vec3 p, std::uint32_t octaves, double omega, double lambda) const = 0;
   /// Disturbs a unit normal (the camera's, say) by a normal of the scene.
   virtual Vec3 perturb(NormalId normal, Vec3 position, Vec3 unit_normal) const = 0;
   virtual double call(FunctionId function, std::span<const double> arguments) const = 0;

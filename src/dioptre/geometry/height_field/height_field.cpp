@@ -202,14 +202,7 @@ class PreparedHeightField final : public Shape {
         const TriangleHit hit = triangle_hit(triangle_ray, a, b, c);
         if (!range.surrounds(hit.t)) continue;
         if (!(a.y + hit.v * (b.y - a.y) + hit.w * (c.y - a.y) >= water_)) continue;
-        Crossing crossing;
-        crossing.t = hit.t;
-        crossing.error = hit.error;
-        crossing.face = index;
-        crossing.u = hit.v;
-        crossing.v = hit.w;
-        crossing.entering = hit.front;
-        sink(crossing, rest);
+        sink(crossing_of(hit, index), rest);
       }
     });
   }

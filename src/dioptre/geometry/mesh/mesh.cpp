@@ -127,14 +127,7 @@ class PreparedMesh final : public Shape {
       if (!line_meets_triangle(triangle_ray, a, b, c)) return true;
       const TriangleHit hit = triangle_hit(triangle_ray, a, b, c);
       if (!(least < hit.t && hit.t < most)) return true;
-      Crossing crossing;
-      crossing.t = hit.t;
-      crossing.error = hit.error;
-      crossing.face = index;
-      crossing.u = hit.v;
-      crossing.v = hit.w;
-      crossing.entering = hit.front;
-      sink(crossing, rest);
+      sink(crossing_of(hit, index), rest);
       return true;
     });
   }

@@ -41,12 +41,7 @@ class PreparedTriangle final : public Shape {
     if (!line_meets_triangle(triangle_ray, a, b, c)) return false;
     const TriangleHit hit = triangle_hit(triangle_ray, a, b, c);
     if (!range.surrounds(hit.t)) return false;
-    out = Crossing{};
-    out.t = hit.t;
-    out.error = hit.error;
-    out.u = hit.v;
-    out.v = hit.w;
-    out.entering = hit.front;
+    out = crossing_of(hit, 0);
     return true;
   }
 
@@ -59,9 +54,7 @@ class PreparedTriangle final : public Shape {
     return s;
   }
 
-  Vec2 uv(const Ray&, const Crossing& crossing) const override {
-    return {crossing.u, crossing.v};
-  }
+  Vec2 uv(const Ray&, const Crossing& crossing) const override { return {crossing.u, crossing.v}; }
 
  private:
   std::array<Vec3, 3> corners_, normals_{};

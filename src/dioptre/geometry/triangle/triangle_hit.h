@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "dioptre/core/ray.h"
 #include "dioptre/core/vec.h"
+#include "dioptre/geometry/shape.h"
 
 namespace dioptre {
 
@@ -42,6 +44,18 @@ struct TriangleHit {
   double v = 0, w = 0;
   bool front = false;  ///< the ray goes against the normal, cross(c - a, b - a)
 };
+
+/// The hit as a crossing of the shape whose face the triangle is: u and v are the hit's v and w.
+inline Crossing crossing_of(const TriangleHit& hit, std::uint32_t face) {
+  Crossing crossing;
+  crossing.t = hit.t;
+  crossing.error = hit.error;
+  crossing.face = face;
+  crossing.u = hit.v;
+  crossing.v = hit.w;
+  crossing.entering = hit.front;
+  return crossing;
+}
 
 /// The sign of cross(a, b), exact whatever the rounding, and never 0 for a != b: a point on an
 /// edge counts as on the side it goes to when the ray is moved a little along +x, and less along

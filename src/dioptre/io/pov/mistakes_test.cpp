@@ -54,6 +54,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "   2 | object { Foo }\n"
                 "     |          ^\n"
                 "     = note: nothing of that name has been declared\n"},
+        Mistake{"AModuloByZero", "#debug str(mod(1,0),0,1)\n#debug str(div(7,0),0,1)",
+                "t.pov:2:19: warning: mod by zero\n"
+                "   2 | #debug str(mod(1,0),0,1)\n"
+                "     |                   ^\n"
+                "-nan"
+                "t.pov:3:19: warning: div by zero\n"
+                "   3 | #debug str(div(7,0),0,1)\n"
+                "     |                   ^\n"
+                "-2147483648.0"},
         Mistake{"AMisspeltKeyword", "sphere { 0, 1 pigmet { rgb 1 } }",
                 "t.pov:2:15: error: expected an object modifier or '}', found 'pigmet'\n"
                 "   2 | sphere { 0, 1 pigmet { rgb 1 } }\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in names and functions whose values are numbers and vectors.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "dioptre/core/expression_eval.h"
@@ -254,7 +255,9 @@ double Interpreter::math(Keyword k, Step::Code code) {
     fail(name + " of a number that is not positive");
   }
   if ((code == Step::Code::kMod || code == Step::Code::kDiv) && b == 0) {
-    fail(name + " by zero");
+    warn(name + " by zero");
+    // Measured: scenes go on with these.
+    return code == Step::Code::kMod ? -std::numeric_limits<double>::quiet_NaN() : INT32_MIN;
   }
   return evaluate_operator(code, a, b);
 }
