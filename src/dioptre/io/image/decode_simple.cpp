@@ -16,9 +16,11 @@
 #pragma GCC diagnostic pop
 
 #include <climits>
+#include <cmath>
 #include <memory>
 
 #include "dioptre/io/image/decoders.h"
+#include "dioptre/io/image/palette_numbers.h"
 
 namespace dioptre {
 namespace {
@@ -31,21 +33,44 @@ std::uint32_t little(std::string_view bytes, std::size_t at, std::size_t count) 
   return value;
 }
 
+std::uint64_t least_bmp_size(std::string_view bytes, std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kOldHeaders = 26, kHeaders = 34;
+  if (bytes.size() < kOldHeaders) return kOldHeaders;
+  const bool old = little(bytes, 14, 4) == 12;
+  if (!old && bytes.size() < kHeaders) return kHeaders;
+  const std::uint32_t offset = little(bytes, 10, 4), bits = little(bytes, old ? 24 : 28, 2);
+  const std::uint32_t compression = old ? 0 : little(bytes, 30, 4);
+  if (compression != 0 && compression != 3) return 0;
+  return offset + (width * bits + 31) / 32 * 4 * (height - 1) + width * bits / 8;
+}
+
 /// The decoder takes missing data for zeros, so that a cut file would pass: the least size that the
 /// header allows is checked here. 0 if unknown.
 std::uint64_t least_size(std::string_view bytes, std::uint64_t width, std::uint64_t height) {
-  if (bytes.starts_with("GIF") || bytes.size() < 34) return 0;
-  if (bytes.starts_with("BM")) {
-    const std::uint32_t offset = little(bytes, 10, 4), bits = little(bytes, 28, 2);
-    const std::uint32_t compression = little(bytes, 30, 4);
-    if (compression != 0 && compression != 3) return 0;
-    return offset + (width * bits + 31) / 32 * 4 * (height - 1) + width * bits / 8;
-  }
+  constexpr std::uint64_t kTgaHeader = 18;
+  if (bytes.starts_with("GIF")) return 0;
+  if (bytes.starts_with("BM")) return least_bmp_size(bytes, width, height);
+  if (bytes.size() < kTgaHeader) return kTgaHeader;
   const auto kind = static_cast<unsigned char>(bytes[2]);
   const std::uint64_t pixel = (static_cast<unsigned char>(bytes[16]) + 7u) / 8;
-  const std::uint64_t header = 18 + std::uint64_t{static_cast<unsigned char>(bytes[0])};
+  const std::uint64_t header = kTgaHeader + std::uint64_t{static_cast<unsigned char>(bytes[0])};
   if (kind >= 9) return header + width * height / 128 * (pixel + 1);  // runs of up to 128
   return header + width * height * pixel;
+}
+
+/// Leaves out an alpha channel that is 1 everywhere.
+void drop_opaque_alpha(ImageData& data) {
+  if (data.channels % 2 != 0) return;
+  const std::uint32_t shades = data.channels - 1;
+  for (std::size_t k = shades; k < data.pixels.size(); k += data.channels) {
+    if (data.pixels[k] != 1) return;
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < data.pixels.size(); ++k) {
+    if (k % data.channels != shades) data.pixels[kept++] = data.pixels[k];
+  }
+  data.pixels.resize(kept);
+  data.channels = shades;
 }
 
 struct Free {
@@ -83,6 +108,22 @@ Result<DecodedImage> decode_simple(std::string_view bytes, std::uint64_t max_pix
   for (std::size_t k = 0; k < image.data.pixels.size(); ++k) {
     image.data.pixels[k] = static_cast<float>(pixels.get()[k]) / 255.0f;
   }
+  drop_opaque_alpha(image.data);
+  return image;
+}
+
+Result<DecodedImage> decode_simple_indices(std::string_view bytes, std::uint64_t max_pixels) {
+  const std::optional<std::string> numbered = with_palette_of_numbers(bytes);
+  Result<DecodedImage> image = decode_simple(numbered ? *numbered : bytes, max_pixels);
+  if (!image || !numbered) return image;
+  ImageData& data = image->data;
+  const std::size_t count = data.pixels.size() / data.channels;
+  for (std::size_t k = 0; k < count; ++k) {
+    data.pixels[k] = std::round(data.pixels[k * data.channels] * 255.0f);
+  }
+  data.pixels.resize(count);
+  data.channels = 1;
+  image->curve = DecodedImage::Curve::kIndices;
   return image;
 }
 

@@ -42,5 +42,7 @@ Result<DecodedImage> decode_exr(std::string_view bytes, std::uint64_t max_pixels
 Result<DecodedImage> decode_hdr(std::string_view bytes, std::uint64_t max_pixels);
 /// GIF, TGA and BMP.
 Result<DecodedImage> decode_simple(std::string_view bytes, std::uint64_t max_pixels);
+/// As decode_simple, but an image with a palette gives the numbers of its entries, one channel.
+Result<DecodedImage> decode_simple_indices(std::string_view bytes, std::uint64_t max_pixels);
 
 }  // namespace dioptre

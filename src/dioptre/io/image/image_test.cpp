@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "dioptre/io/image/palette_samples_test.h"
 #include "dioptre/io/image/read_image.h"
 #include "dioptre/io/image/write_image.h"
 
@@ -123,6 +124,57 @@ TEST_F(ImageFiles, APaletteGivesItsNumbersOrItsColors) {
   ASSERT_TRUE(colors) << colors.error().message;
   EXPECT_EQ(colors->channels, 3u);
   EXPECT_EQ(colors->pixels, (std::vector<float>{1, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 0}));
+}
+
+TEST_F(ImageFiles, PalettesOfAllFormatsGiveTheirNumbersOrTheirColors) {
+  for (const auto& [name, bytes] : palette_files()) {
+    const std::string file = put(name, bytes);
+    const auto numbers = read_image(file, {.palette_scale = 1});
+    ASSERT_TRUE(numbers) << numbers.error().message;
+    EXPECT_EQ(numbers->width, 8u) << name;
+    EXPECT_EQ(numbers->channels, 1u) << name;
+    EXPECT_EQ(numbers->pixels, kPaletteNumbers) << name;
+    const auto colors = read_image(file, {.gamma = 1});
+    ASSERT_TRUE(colors) << colors.error().message;
+    for (std::size_t i = 0; i < kPaletteNumbers.size(); ++i) {
+      const auto& color = kPalette[static_cast<std::size_t>(kPaletteNumbers[i])];
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_FLOAT_EQ(colors->pixels[i * colors->channels + k], color[k] / 255.0f) << name;
+      }
+    }
+  }
+}
+
+TEST_F(ImageFiles, EntriesOfPalettesLetLightThroughAsAsked) {
+  for (const auto& [name, bytes] : palette_files()) {
+    const ReadImageOptions options{.entry_transmits = {{2, 0.5f}, {7, 1}, {2, 0.25f}}};
+    const auto image = read_image(put(name, bytes), options);
+    ASSERT_TRUE(image) << image.error().message;
+    ASSERT_EQ(image->channels, 4u) << name;
+    for (std::size_t i = 0; i < kPaletteNumbers.size(); ++i) {
+      const float number = kPaletteNumbers[i];
+      EXPECT_EQ(image->pixels[4 * i + 3], number == 2 ? 0.75f : number == 7 ? 0.0f : 1.0f) << name;
+    }
+  }
+  const auto none = read_image(put("a.pgm", "P5\n1 1\n255\n\x01"), {.entry_transmits = {{0, 1}}});
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("no palette"), std::string::npos);
+}
+
+TEST_F(ImageFiles, DamagedPalettesAreNoHarm) {
+  for (const auto& [name, whole] : palette_files()) {
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+      std::string damaged = whole;
+      for (const int change : {0x01, 0x80, 0xff}) {
+        damaged[at] = static_cast<char>(whole[at] ^ change);
+        const auto read = read_image(put(name, damaged), {.palette_scale = 1, .max_pixels = 1000});
+        static_cast<void>(read);  // any answer but a crash
+      }
+      EXPECT_FALSE(read_image(put(name, whole.substr(0, at)), {.palette_scale = 1}) &&
+                   at < whole.size() / 2)
+          << name << " cut to " << at;
+    }
+  }
 }
 
 TEST_F(ImageFiles, AJpegComesNear) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -110,6 +111,29 @@ void linearize(ImageData& data, DecodedImage::Curve curve, double gamma) {
   }
 }
 
+/// The decoder that gives the numbers of a palette's entries, where there is one.
+Decoder for_indices(Decoder decode) {
+  if (decode == decode_png) return decode_png_indices;
+  return decode == decode_simple ? decode_simple_indices : decode;
+}
+
+/// The pixels with an alpha channel that says what the entries of the palette let through.
+ImageData with_transmits(const ImageData& colors, const ImageData& numbers,
+                         const std::vector<EntryTransmit>& transmits) {
+  std::array<std::optional<float>, 256> alpha_of;
+  for (const EntryTransmit& e : transmits) alpha_of[e.entry] = 1 - e.transmit;
+  const std::uint32_t shades = colors.channels < 3 ? 1 : 3;
+  ImageData out{colors.width, colors.height, shades + 1, {}};
+  out.pixels.reserve(numbers.pixels.size() * out.channels);
+  for (std::size_t k = 0; k < numbers.pixels.size(); ++k) {
+    const float* from = &colors.pixels[k * colors.channels];
+    const float alpha = colors.channels > shades ? from[shades] : 1;
+    out.pixels.insert(out.pixels.end(), from, from + shades);
+    out.pixels.push_back(alpha_of[static_cast<std::uint8_t>(numbers.pixels[k])].value_or(alpha));
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<ImageData> read_image(const std::string& path, const ReadImageOptions& options) {
@@ -121,7 +145,7 @@ Result<ImageData> read_image(const std::string& path, const ReadImageOptions& op
   if (bytes->empty()) return cannot_read(path, "the file is empty");
   Decoder decode = find_decoder(*bytes, path);
   if (decode == nullptr) return cannot_read(path, "not an image of a known format");
-  if (options.palette_scale != 0 && decode == decode_png) decode = decode_png_indices;
+  if (options.palette_scale != 0) decode = for_indices(decode);
   Result<DecodedImage> image = decode(*bytes, options.max_pixels);
   if (!image) return cannot_read(path, image.error().message);
   if (image->curve == DecodedImage::Curve::kIndices) {
@@ -133,7 +157,13 @@ Result<ImageData> read_image(const std::string& path, const ReadImageOptions& op
   } else {
     linearize(image->data, resolve(*image, options.language_version), image->gamma);
   }
-  return std::move(image->data);
+  if (options.entry_transmits.empty()) return std::move(image->data);
+  const Result<DecodedImage> numbers = for_indices(decode)(*bytes, options.max_pixels);
+  if (!numbers || numbers->curve != DecodedImage::Curve::kIndices ||
+      numbers->data.pixels.size() * image->data.channels != image->data.pixels.size()) {
+    return cannot_read(path, "it has no palette whose colours could let light through");
+  }
+  return with_transmits(image->data, numbers->data, options.entry_transmits);
 }
 
 }  // namespace dioptre

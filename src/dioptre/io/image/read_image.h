@@ -4,11 +4,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dioptre/core/result.h"
 #include "dioptre/scene/image_source.h"
 
 namespace dioptre {
+
+/// The share of light that an entry of a palette lets through unfiltered.
+struct EntryTransmit {
+  std::uint8_t entry = 0;
+  float transmit = 0;
+  bool operator==(const EntryTransmit&) const = default;
+};
 
 /// How the values of an image file become linear light, and how large it may be.
 struct ReadImageOptions {
@@ -17,10 +25,16 @@ struct ReadImageOptions {
   /// The version of the scene language: under 3.7 only a gamma written in the file is applied, else
   /// values without one are decoded as their format has it (PNG and JPEG: sRGB).
   double language_version = 3.7;
-  /// If not 0, a PNG that has a palette gives the numbers of its entries times this, one channel.
+  /// If not 0, an image that has a palette gives the numbers of its entries times this, one
+  /// channel.
   float palette_scale = 0;
+  /// How much light passes through the colours of single entries of a palette, from 0 to 1, instead
+  /// of what the file says. An error if there is no palette.
+  std::vector<EntryTransmit> entry_transmits;
   /// Larger images are refused before any memory is taken.
   std::uint64_t max_pixels = std::uint64_t{1} << 28;
+
+  bool operator==(const ReadImageOptions&) const = default;
 };
 
 /// Reads PNG, JPEG, TIFF, PNM (PGM, PPM), OpenEXR, Radiance HDR, GIF, TGA and BMP, known by their

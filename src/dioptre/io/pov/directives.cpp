@@ -92,7 +92,8 @@ void Interpreter::run_message(Keyword keyword) {
 }
 
 std::shared_ptr<const Program> Interpreter::load_program(const std::string& name) {
-  const std::string path = find_file(name);
+  static constexpr std::string_view kEndings[] = {".inc"};
+  const std::string path = find_file(name, kEndings);
   if (const auto known = cache_.find(path); known != cache_.end()) return known->second;
   Result<std::string> text = access_.read(path, kMostSourceBytes);
   if (!text) fail_at(file_name_at_, text.error().message);
@@ -107,12 +108,16 @@ std::shared_ptr<const Program> Interpreter::load_program(const std::string& name
   return program;
 }
 
-std::string Interpreter::find_file(const std::string& name) {
+std::string Interpreter::find_file(const std::string& name,
+                                   std::span<const std::string_view> endings) {
   std::string wanted = name;
   for (char& c : wanted) {
     if (c == '\\') c = '/';
   }
   Result<FileAccess::Found> file = access_.find(wanted);
+  for (std::size_t i = 0; !file && i < endings.size(); ++i) {
+    if (auto longer = access_.find(wanted + std::string(endings[i]))) file = std::move(longer);
+  }
   if (!file) fail_at(file_name_at_, file.error().message);
   if (wanted != name) warn("'\\' in the file name '" + name + "' is read as '/'");
   if (file->other_case) {

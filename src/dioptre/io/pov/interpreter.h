@@ -79,7 +79,9 @@ class Interpreter final : public Parser {
   void charge(std::uint64_t bytes) override;
   void check_levels() override;
   const LoadBudgets& budgets() const override { return options_.budgets; }
-  std::string find_file(const std::string& name) override;
+  std::string find_file(const std::string& name,
+                        std::span<const std::string_view> endings = {}) override;
+  ReadImages& read_images() override { return read_images_; }
   [[noreturn]] void fail(std::string message, std::string how_to_mend = {}) override;
   [[noreturn]] void fail_at(SourcePosition where, std::string message,
                             std::string how_to_mend = {}) override;
@@ -309,6 +311,7 @@ class Interpreter final : public Parser {
   Scopes scopes_;
   std::vector<std::shared_ptr<Program>> programs_;  ///< by file number; all are kept
   std::map<std::string, std::shared_ptr<const Program>> cache_;
+  ReadImages read_images_;
   std::vector<Frame> frames_;
   std::vector<Block> blocks_;
   const Program* program_ = nullptr;

@@ -4,11 +4,13 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "dioptre/io/load_scene.h"
 #include "dioptre/io/pov/described.h"
+#include "dioptre/io/pov/read_images.h"
 #include "dioptre/io/pov/token.h"
 #include "dioptre/scene/queries.h"
 #include "dioptre/scene/scene.h"
@@ -88,8 +90,11 @@ class Parser {
   virtual const LoadBudgets& budgets() const = 0;
   /// Fails if the newest object is nested too deep.
   virtual void check_levels() = 0;
-  /// The path of an input file found along the search path; fails with the places looked at.
-  virtual std::string find_file(const std::string& name) = 0;
+  /// The path of an input file found along the search path; fails with the places looked at. If
+  /// there is none of that name, each of the endings is tried behind it.
+  virtual std::string find_file(const std::string& name,
+                                std::span<const std::string_view> endings = {}) = 0;
+  virtual ReadImages& read_images() = 0;
 
   [[noreturn]] virtual void fail(std::string message, std::string how_to_mend = {}) = 0;
   [[noreturn]] virtual void fail_at(SourcePosition where, std::string message,

@@ -47,9 +47,8 @@ Text parse_text(Parser& parser, bool& drawn) {
     text.font = parser.find_file(kFonts[number >= 1 && number <= 4 ? number - 1 : 0]);
   } else {
     if (!parser.accept(Keyword::kTtf)) parser.fail_expected("ttf or internal");
-    std::string name = parser.parse_file_name();
-    if (name.find('.') == std::string::npos) name += ".ttf";
-    text.font = parser.find_file(name);
+    static constexpr std::string_view kEndings[] = {".ttf"};
+    text.font = parser.find_file(parser.parse_file_name(), kEndings);
   }
   parser.skip_comma();
   text.text = parser.parse_string();

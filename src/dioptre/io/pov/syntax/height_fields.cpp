@@ -14,6 +14,14 @@ constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPoints = 1 << 24;
 constexpr float kStep = 0x1p-16f;  ///< heights are whole numbers of these, under 65536
 
+/// The heights of a palette's entries are their numbers times 256 steps.
+constexpr float kPaletteScale = 256 / 65535.0f;
+
+/// The number of the colour that an image read with kPaletteScale has.
+float number_of(float height) {
+  return std::fmin(std::round(std::fmax(height, 0.0f) / kPaletteScale), 255.0f);
+}
+
 /// The whole number of steps below a value from 0 to 1; not a number counts as 0.
 float steps(double value) {
   return static_cast<float>(std::trunc(65535 * std::fmin(std::fmax(value, 0), 1)));
@@ -120,19 +128,36 @@ void parse_modifiers(Parser& parser, Modifiers& modifiers) {
   }
 }
 
+/// The heights of a `pot` image: the numbers of the colours in its left half are the high bytes,
+/// those in its right half the low ones (measured).
+HeightGrid heights_of_halves(const ImageData& image) {
+  HeightGrid grid{image.width / 2, image.height, {}};
+  grid.heights.reserve(std::size_t{grid.width} * grid.depth);
+  for (std::uint32_t row = image.height; row-- > 0;) {
+    const float* left = image.pixels.data() + std::size_t{row} * image.width * image.channels;
+    const float* right = left + std::size_t{grid.width} * image.channels;
+    for (std::uint32_t i = 0; i < grid.width;
+         ++i, left += image.channels, right += image.channels) {
+      grid.heights.push_back(kStep * (256 * number_of(*left) + number_of(*right)));
+    }
+  }
+  return grid;
+}
+
 HeightGrid read_heights(Parser& parser, const std::string& path, SourcePosition where,
-                        ReadImageOptions options) {
+                        ReadImageOptions options, bool halves) {
   options.language_version = parser.version();
   options.max_pixels =
       std::min(options.max_pixels, parser.budgets().memory_bytes / kDecodedPixelBytes);
-  options.palette_scale = 256 / 65535.0f;
+  options.palette_scale = kPaletteScale;
   Result<ImageData> image = read_image(path, options);
   if (!image) parser.fail_at(where, image.error().message);
-  if (image->width < 2 || image->height < 2) {
-    parser.fail_at(where, "a height_field needs an image of at least 2 x 2 pixels");
+  if (image->width < (halves ? 4 : 2) || image->height < 2) {
+    parser.fail_at(where, std::string("a height_field needs an image of at least ") +
+                              (halves ? "4" : "2") + " x 2 pixels");
   }
-  if (has_ending(path, ".gif")) parser.not_rendered("a GIF's numbers of colours as heights");
   parser.charge(2 * image->pixels.size() * sizeof(float));
+  if (halves) return heights_of_halves(*image);
   return heights_of(*image, has_ending(path, ".png"));
 }
 
@@ -145,12 +170,12 @@ void parse_height_field(Parser& parser, Item& item) {
     field.grid = parse_function_heights(parser);
     parse_modifiers(parser, modifiers);
   } else {
-    skip_image_format(parser);
+    const Keyword format = take_image_format(parser);
     const SourcePosition where = parser.position();
-    const std::string path = parser.find_file(parser.parse_file_name());
+    const std::string path = parse_image_path(parser, format);
     modifiers.image.gamma = 1;
     parse_modifiers(parser, modifiers);
-    field.grid = read_heights(parser, path, where, modifiers.image);
+    field.grid = read_heights(parser, path, where, modifiers.image, format == Keyword::kPot);
   }
   field.water_level = modifiers.water_level;
   field.smooth = modifiers.smooth;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // image_map, bump_map, material_map and image_pattern.
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "dioptre/io/image/read_image.h"
 #include "dioptre/io/pov/syntax/patterns.h"
@@ -10,7 +12,23 @@ namespace {
 
 constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPixels = 1 << 24;
-constexpr std::size_t kRememberedImages = 64;
+constexpr int kPaletteEntries = 256;
+constexpr std::size_t kMostTransmits = 1 << 16;
+
+/// How the names of a format's files end.
+struct FormatEndings {
+  Keyword format;
+  std::size_t count;
+  std::string_view endings[2];
+};
+constexpr FormatEndings kFormats[] = {
+    {Keyword::kBmp, 1, {".bmp"}},           {Keyword::kExr, 1, {".exr"}},
+    {Keyword::kGif, 1, {".gif"}},           {Keyword::kHdr, 1, {".hdr"}},
+    {Keyword::kJpeg, 2, {".jpg", ".jpeg"}}, {Keyword::kPgm, 1, {".pgm"}},
+    {Keyword::kPng, 1, {".png"}},           {Keyword::kPot, 1, {".pot"}},
+    {Keyword::kPpm, 1, {".ppm"}},           {Keyword::kSys, 0, {}},
+    {Keyword::kTga, 1, {".tga"}},           {Keyword::kTiff, 2, {".tif", ".tiff"}},
+};
 
 /// Pixels from a function of the unit square, `function WIDTH, HEIGHT {...}`, the keyword taken.
 Shared<ImageData> parse_function_image(Parser& parser) {
@@ -63,17 +81,43 @@ ImageSource::Interpolation interpolation_of(std::int64_t type) {
   }
 }
 
-/// `filter all F`, or `filter INDEX, F` for one colour of a palette.
-void parse_transparency(Parser& parser, double& all) {
+/// `filter all F`, or `filter NUMBER, F` for one colour of a palette.
+void parse_filter(Parser& parser, ImageSource& image) {
   parser.next();
   if (parser.accept(Keyword::kAll)) {
-    all = parser.parse_float();
+    image.filter_all = parser.parse_float();
     return;
   }
   parser.parse_float();
   parser.skip_comma();
   parser.parse_float();
-  parser.not_rendered("transparency of single palette colours");
+  parser.not_rendered("filter of single palette colours");
+}
+
+/// `transmit all T`, or `transmit NUMBER, T` for one colour of a palette; the last one counts.
+void parse_transmit(Parser& parser, ImageSource& image, ReadImageOptions& options) {
+  parser.next();
+  std::vector<EntryTransmit>& entries = options.entry_transmits;
+  if (parser.accept(Keyword::kAll)) {
+    image.transmit_all = parser.parse_float();
+    entries.clear();
+    return;
+  }
+  const SourcePosition where = parser.position();
+  const double number = parser.parse_float();
+  if (!(number > -1 && number < kPaletteEntries)) {
+    parser.fail_at(where, "a palette has colours 0 to 255");
+  }
+  parser.skip_comma();
+  const auto transmit = static_cast<float>(parser.parse_float());
+  if (entries.empty() && image.transmit_all != 0) {
+    const auto all = static_cast<float>(std::exchange(image.transmit_all, 0));
+    for (int i = 0; i < kPaletteEntries; ++i) {
+      entries.push_back({static_cast<std::uint8_t>(i), all});
+    }
+  }
+  if (entries.size() >= kMostTransmits) parser.fail_at(where, "too many transmits of this image");
+  entries.push_back({static_cast<std::uint8_t>(number), transmit});
 }
 
 bool parse_image_modifier(Parser& parser, ImageSource& image, ReadImageOptions& options) {
@@ -116,33 +160,26 @@ bool parse_image_modifier(Parser& parser, ImageSource& image, ReadImageOptions& 
       image.use_alpha = parser.parse_flag();
       return true;
     case Keyword::kFilter:
-      parse_transparency(parser, image.filter_all);
+      parse_filter(parser, image);
       return true;
     case Keyword::kTransmit:
-      parse_transparency(parser, image.transmit_all);
+      parse_transmit(parser, image, options);
       return true;
     default:
       return parser.accept(',');
   }
 }
 
-/// The same file read as colours shortly before, if any.
-const ImageSource* find_read(const Scene& scene, const std::string& path) {
-  const auto& images = scene.images;
-  for (std::size_t i = images.size(); i-- > 0 && images.size() - i <= kRememberedImages;) {
-    if (images[i].path == path && images[i].use_color) return &images[i];
-  }
-  return nullptr;
-}
-
 Shared<ImageData> read_pixels(Parser& parser, const std::string& path, SourcePosition where,
                               const ReadImageOptions& options) {
-  const ImageSource* known = options.gamma ? nullptr : find_read(parser.scene(), path);
-  if (known) return known->data;
+  ReadImages& images = parser.read_images();
+  if (const Shared<ImageData>* known = images.find(path, options)) return *known;
   Result<ImageData> data = read_image(path, options);
   if (!data) parser.fail_at(where, data.error().message);
   parser.charge(data->pixels.size() * sizeof(float));
-  return std::move(*data);
+  Shared<ImageData> pixels = std::move(*data);
+  images.keep(path, options, pixels);
+  return pixels;
 }
 
 /// Heights and numbers are the values of the file as they are, without its gamma (measured). An
@@ -150,6 +187,7 @@ Shared<ImageData> read_pixels(Parser& parser, const std::string& path, SourcePos
 /// (measured); a pattern has the colours' greys in any case (measured).
 void read_as(ImageUse use, bool use_color, ReadImageOptions& options) {
   if (use == ImageUse::kColor) return;
+  options.entry_transmits.clear();
   if (!options.gamma) options.gamma = 1;
   if (use == ImageUse::kNumbers) options.palette_scale = 1 / 255.0f;
   if (use == ImageUse::kBumps && !use_color) options.palette_scale = 1;
@@ -157,24 +195,23 @@ void read_as(ImageUse use, bool use_color, ReadImageOptions& options) {
 
 }  // namespace
 
-void skip_image_format(Parser& parser) {
-  switch (keyword_at(parser)) {
-    case Keyword::kGif:
-    case Keyword::kTga:
-    case Keyword::kPng:
-    case Keyword::kJpeg:
-    case Keyword::kTiff:
-    case Keyword::kPgm:
-    case Keyword::kPpm:
-    case Keyword::kSys:
-    case Keyword::kHdr:
-    case Keyword::kExr:
-    case Keyword::kPot:
-      parser.next();
-      break;
-    default:
-      break;
+Keyword take_image_format(Parser& parser) {
+  const Keyword format = keyword_at(parser);
+  const bool known =
+      std::any_of(std::begin(kFormats), std::end(kFormats),
+                  [&](const FormatEndings& formats) { return formats.format == format; });
+  if (!known) return Keyword::kNotAKeyword;
+  parser.next();
+  return format;
+}
+
+std::string parse_image_path(Parser& parser, Keyword format) {
+  const std::string name = parser.parse_file_name();
+  for (const FormatEndings& endings : kFormats) {
+    if (endings.format != format) continue;
+    return parser.find_file(name, std::span(endings.endings).first(endings.count));
   }
+  return parser.find_file(name);
 }
 
 ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& other) {
@@ -185,13 +222,13 @@ ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& o
   options.language_version = parser.version();
   options.max_pixels =
       std::min(options.max_pixels, parser.budgets().memory_bytes / kDecodedPixelBytes);
-  skip_image_format(parser);
+  const Keyword format = take_image_format(parser);
   const SourcePosition where = parser.position();
   const bool made = parser.accept(Keyword::kFunction);
   if (made) {
     image.data = parse_function_image(parser);
   } else {
-    image.path = parser.find_file(parser.parse_file_name());
+    image.path = parse_image_path(parser, format);
   }
   while (parse_image_modifier(parser, image, options) || (other && other())) {
   }

@@ -26,8 +26,11 @@ bool parse_warp_modifier(Parser& parser, std::vector<Warp>& warps);
 void add_transform(std::vector<Warp>& warps, const Affine& by);
 /// What a pixel takes while an image is decoded, at most.
 inline constexpr std::uint64_t kDecodedPixelBytes = 32;
-/// Takes the keyword of an image's format, if one is next; formats are known by their content.
-void skip_image_format(Parser& parser);
+/// Takes the keyword of an image's format, if one is next, else kNotAKeyword.
+Keyword take_image_format(Parser& parser);
+/// The path of an image, from its name. The format tells how the name may end if it does not say:
+/// how the file is read follows from its content.
+std::string parse_image_path(Parser& parser, Keyword format);
 /// What the pixels of an image stand for.
 enum class ImageUse : std::uint8_t { kColor, kPattern, kBumps, kNumbers };
 /// Reads `image_map { ... }` and its relatives, behind the keyword.

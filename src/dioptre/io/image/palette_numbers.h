@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dioptre {
+
+/// The same GIF, BMP or TGA file with a palette whose entry i has the grey byte i, so that its
+/// pixels decode to the numbers of their entries; nothing without a palette. All entries of a GIF
+/// are opaque then. Looks at nothing beyond the end of the file, whatever its header says.
+std::optional<std::string> with_palette_of_numbers(std::string_view bytes);
+
+}  // namespace dioptre
