@@ -104,8 +104,11 @@ void Interpreter::end_declaration(const Value& value, const Target& target) {
     skip_raw();
     return;
   }
-  if (!std::holds_alternative<Numeric>(value)) return;
-  if (accept(';')) return;
+  // A macro that gave the value has to come to its end before the semicolon is seen.
+  const bool within_macro = frames_.size() > value_frames_;
+  const bool numeric = std::holds_alternative<Numeric>(value);
+  if ((numeric || within_macro) && accept(';')) return;
+  if (!numeric) return;
   if (version_given_ && version_ < 3.5) return;
   warn_once(target.position,
             "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");

@@ -71,6 +71,11 @@ constexpr Case kMacros[] = {
     {"#declare A=array[3]{1,2,3} #macro M(p) #declare p=p+10; #end M(A[1]) #debug str(A[1],0,0)",
      "12"},
     {"#macro F(A B) #debug \"f\" #end F(1,2)", "f"},
+    {"#macro S(T) array[2] {T,T} #end #macro V(T) #local A=S(T); A[0]+A[1] #end "
+     "#debug str(V(3),0,0)",
+     "6"},
+    {"#macro S(T) \"abc\" #end #macro V(T) #local A=S(T); strlen(A)+T #end #debug str(V(3),0,0)",
+     "6"},
     {"#macro Q(n) #local k=n; #if(n>0) Q(n-1) #end #debug str(k,0,0) #end Q(4)", "01234"},
     {"#local L=1; #macro T() L #end #declare U=T(); #debug str(U,0,0)", "1"},
 };
