@@ -86,10 +86,13 @@ class PreparedMesh final : public Shape {
     if (solid_ && (dot(s.normal, ray.direction) > 0) == crossing.entering) s.normal = -s.normal;
     s.shading_normal = s.normal;
     if (!data_->normals.empty()) {
-      const auto unit = [&](std::size_t i) {
-        return unit_or_zero(data_->normals[face.normals[i]]);
-      };
-      s.shading_normal = smooth_normal({unit(0), unit(1), unit(2)}, v, w, s.normal);
+      const auto& normals = data_->normals;
+      const Vec3 first = normals[face.normals[0]], second = normals[face.normals[1]];
+      const Vec3 third = normals[face.normals[2]];
+      // A face whose three normals are the same is flat, whatever they are (measured).
+      if (first == second && second == third) return s;
+      s.shading_normal = smooth_normal(
+          {unit_or_zero(first), unit_or_zero(second), unit_or_zero(third)}, v, w, s.normal);
     }
     return s;
   }

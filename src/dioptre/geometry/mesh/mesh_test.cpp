@@ -223,5 +223,27 @@ TEST(Mesh, AnyStructureOverItsFacesGivesTheSameBits) {
   }
 }
 
+/// As POV-Ray 3.7 shades them.
+TEST(Mesh, AFaceOfThreeEqualNormalsIsFlat) {
+  MeshData data;
+  data.corners = {{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}};
+  const Vec3 tilted = normalize(Vec3{0.6, 0.2, -1});
+  MeshData::Face face;
+  face.corners = face.normals = {0, 1, 2};
+  data.faces = {face};
+  for (const double apart : {0.0, 1e-9}) {
+    data.normals = {tilted, tilted + Vec3{apart, 0, 0}, tilted};
+    Mesh mesh;
+    mesh.data = data;
+    const ShapePtr shape = prepare(mesh).value();
+    const Ray ray{{0, 0, -5}, {0, 0, 1}};
+    Crossing c;
+    ASSERT_TRUE(shape->nearest(ray, {0, kInfinity}, c));
+    const Vec3 expected = apart == 0 ? Vec3{0, 0, -1} : tilted;
+    const Vec3 found = shape->surface(ray, c).shading_normal;
+    EXPECT_NEAR(std::fabs(dot(found, expected)), 1, 1e-6) << apart;
+  }
+}
+
 }  // namespace
 }  // namespace dioptre
