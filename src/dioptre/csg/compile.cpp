@@ -210,15 +210,20 @@ class BoundsPass {
   }
 
   /// Tells the core from the other required leaves. Convex leaves that are no half-spaces join it
-  /// only where it then is all there is: else asking them one by one is faster.
+  /// only where nothing but bites is beside it: else asking them one by one is faster.
   void sort_required() {
     const auto& required = out_.required;
-    out_.convex = out_.optional.empty() && out_.nodes.size() == 1 &&
-                  std::all_of(required.begin(), required.end(), [this](std::uint32_t i) {
-                    return out_.placed[i].half_space() || out_.placed[i].convex();
-                  });
+    const auto in_core = [this](std::uint32_t i) {
+      return out_.placed[i].half_space() || out_.placed[i].convex();
+    };
+    const auto bite = [this](std::uint32_t i) { return out_.placed[i].bite(); };
+    const bool plain = out_.nodes.size() == 1 && !required.empty() &&
+                       std::all_of(required.begin(), required.end(), in_core) &&
+                       std::all_of(out_.optional.begin(), out_.optional.end(), bite);
+    out_.convex = plain && out_.optional.empty();
+    out_.carved = plain && !out_.optional.empty();
     for (const std::uint32_t i : required) {
-      if (out_.convex || out_.placed[i].half_space()) {
+      if (plain || out_.placed[i].half_space()) {
         out_.core.add(out_.placed[i], i);
       } else {
         out_.beside.push_back(i);

@@ -17,14 +17,6 @@ bool cut(const Crossing& end, Interval& window) {
   return !window.empty();
 }
 
-/// Whether the error intervals of no other end meet that of `end`.
-bool stands_alone(const Crossings& ends, const Crossing& end) {
-  for (const Crossing& other : ends) {
-    if (&other != &end && !(std::fabs(other.t - end.t) > other.error + end.error)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void ConvexCore::add(const PlacedLeaf& leaf, std::uint32_t id) {
@@ -62,6 +54,16 @@ bool ConvexCore::meet(const std::vector<PlacedLeaf>& placed, const Ray& ray, Int
       ends.push_back(end);
       if (!cut(end, window)) return false;
     }
+  }
+  return true;
+}
+
+bool stands_alone(const Crossings& ends, const Crossing& end) {
+  for (const Crossing& other : ends) {
+    if ((other.leaf == end.leaf && other.entering == end.entering) || !std::isfinite(other.t)) {
+      continue;
+    }
+    if (!(std::fabs(other.t - end.t) > other.error + end.error)) return false;
   }
   return true;
 }

@@ -30,10 +30,10 @@ double rounding_of(const Ray& ray, double t) {
 
 PlacedLeaf::PlacedLeaf(const Leaf& leaf)
     : leaf_(leaf),
+      convex_(dynamic_cast<const ConvexSolid*>(leaf.shape)),
       moved_(!(leaf.placement.to_object == Affine{})),
       bounds_(transform(leaf.shape->bounds(), leaf.placement.to_world)),
       outside_(inside_beyond_bounds(*leaf.shape) != leaf.complement) {
-  if (!leaf.complement) convex_ = dynamic_cast<const ConvexSolid*>(leaf.shape);
   const auto half = leaf.shape->half_space();
   if (half) half_space_ = place(*half, leaf.placement.to_object, leaf.complement);
 }

@@ -30,7 +30,9 @@ class PlacedLeaf {
   bool solid() const { return leaf_.shape->solid(); }
   bool complement() const { return leaf_.complement; }
   /// Whether every ray meets the leaf in one stretch at most.
-  bool convex() const { return convex_ != nullptr; }
+  bool convex() const { return convex_ != nullptr && !leaf_.complement; }
+  /// Whether every ray leaves the leaf for one stretch at most: the complement of what is convex.
+  bool bite() const { return convex_ != nullptr && leaf_.complement; }
   /// The leaf as a half-space, if it is one.
   const std::optional<PlacedHalfSpace>& half_space() const { return half_space_; }
   double cost() const { return leaf_.shape->cost(); }
@@ -44,7 +46,8 @@ class PlacedLeaf {
   /// The first visible crossing; its error is that of the shape alone, without the rounding of the
   /// ray and of the leaf's place.
   bool nearest(const Ray& ray, Interval range, Crossing& out) const;
-  /// The stretch of a ray in a convex leaf, as two crossings marked with `id`; false for a miss.
+  /// The stretch of a ray in a convex leaf, or in the hole that a bite is, as two crossings marked
+  /// with `id`; false for a miss.
   bool stretch(const Ray& ray, std::uint32_t id, std::array<Crossing, 2>& ends) const;
   bool contains(Vec3 p) const;
   Surface surface(const Ray& ray, const Crossing& crossing) const;
@@ -56,7 +59,7 @@ class PlacedLeaf {
   void to_world(const Ray& ray, Crossing& crossing) const;
 
   Leaf leaf_;
-  const ConvexSolid* convex_ = nullptr;  ///< null if not convex, or a complement
+  const ConvexSolid* convex_;  ///< the shape, if that is convex
   std::optional<PlacedHalfSpace> half_space_;
   bool moved_;
   Bounds bounds_;

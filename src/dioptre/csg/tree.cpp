@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dioptre/csg/carving.h"
 #include "dioptre/csg/compiled.h"
 #include "dioptre/csg/evaluation.h"
 #include "dioptre/csg/explainable.h"
@@ -75,10 +76,14 @@ class Tree final : public Explainable {
       const NearestEnd found = nearest_end_of_core(ray, range, out);
       if (found != NearestEnd::kUnclear) return found == NearestEnd::kFound;
     }
+    const ScratchLease scratch;
+    if (compiled_.carved) {
+      const NearestEnd found = carve(compiled_, *scratch, ray, range, out);
+      if (found != NearestEnd::kUnclear) return found == NearestEnd::kFound;
+    }
     const SlabRay slabs(ray);
     Interval within = range;
     if (!slabs.clip(compiled_.extent, within)) return false;
-    const ScratchLease scratch;
     Sweep(compiled_, *scratch, ray, slabs, range, within).run(false);
     for (const Crossing& crossing : (*scratch).passed) {
       if (!crossing.visible) continue;
