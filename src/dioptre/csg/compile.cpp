@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "dioptre/csg/compiled.h"
+#include "dioptre/csg/polytope_bounds.h"
 
 namespace dioptre::csg {
 namespace {
@@ -102,8 +103,10 @@ struct Extent {
 /// so on, a few times.
 class BoundsPass {
  public:
-  explicit BoundsPass(Compiled& out) : out_(out), extents_(out.nodes.size()) {
+  explicit BoundsPass(Compiled& out)
+      : out_(out), extents_(out.nodes.size()), polytopes_(out.nodes.size(), Bounds::all()) {
     for (const PlacedLeaf& leaf : out.placed) leaf_bounds_.push_back(leaf.bounds());
+    find_polytopes();
   }
 
   void run() {
@@ -153,6 +156,20 @@ class BoundsPass {
     return smaller;
   }
 
+  /// Bounds the conjunctions of half-spaces: their faces may be tilted, and none of them finite.
+  void find_polytopes() {
+    std::vector<std::vector<PlacedHalfSpace>> sides(out_.nodes.size());
+    for (std::uint32_t i = 0; i < out_.leaves.size(); ++i) {
+      const auto& half = out_.placed[i].half_space();
+      if (out_.leaves[i].used && half) {
+        sides[static_cast<std::size_t>(out_.leaves[i].parent)].push_back(*half);
+      }
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (is_conjunction(out_.nodes[i].operation)) polytopes_[i] = polytope_bounds(sides[i]);
+    }
+  }
+
   void up_and_down() {
     up();
     for (std::size_t i = 1; i < extents_.size(); ++i) {
@@ -167,7 +184,7 @@ class BoundsPass {
       node.count = 0;
       const bool all = is_conjunction(node.operation) && node.children > 0;
       node.threshold = all ? node.children : 1;
-      extents_[i].bounds = all ? Bounds::all() : Bounds{};
+      extents_[i].bounds = all ? polytopes_[i] : Bounds{};
       extents_[i].solid = all;
     }
     for (std::uint32_t i = 0; i < out_.leaves.size(); ++i) {
@@ -210,20 +227,15 @@ class BoundsPass {
   }
 
   /// Tells the core from the other required leaves. Convex leaves that are no half-spaces join it
-  /// only where nothing but bites is beside it: else asking them one by one is faster.
+  /// only where the tree is carved or all core: else asking them one by one is faster.
   void sort_required() {
-    const auto& required = out_.required;
-    const auto in_core = [this](std::uint32_t i) {
-      return out_.placed[i].half_space() || out_.placed[i].convex();
-    };
-    const auto bite = [this](std::uint32_t i) { return out_.placed[i].bite(); };
-    const bool plain = out_.nodes.size() == 1 && !required.empty() &&
-                       std::all_of(required.begin(), required.end(), in_core) &&
-                       std::all_of(out_.optional.begin(), out_.optional.end(), bite);
-    out_.convex = plain && out_.optional.empty();
-    out_.carved = plain && !out_.optional.empty();
-    for (const std::uint32_t i : required) {
-      if (plain || out_.placed[i].half_space()) {
+    const bool simple = find_general() && out_.nodes.size() == 1;
+    out_.convex = simple && out_.optional.empty() && out_.general == kNone;
+    out_.carved = simple && !out_.convex;
+    for (const std::uint32_t i : out_.required) {
+      if (i == static_cast<std::uint32_t>(out_.general)) {
+        out_.beside.push_back(i);
+      } else if (simple || out_.placed[i].half_space()) {
         out_.core.add(out_.placed[i], i);
       } else {
         out_.beside.push_back(i);
@@ -231,8 +243,28 @@ class BoundsPass {
     }
   }
 
+  /// Finds the leaf that is neither of the core nor a bite; false if there are several such leaves,
+  /// or sheets.
+  bool find_general() {
+    const auto sort_out = [this](const std::vector<std::uint32_t>& leaves, auto known) {
+      for (const std::uint32_t i : leaves) {
+        if (known(out_.placed[i])) continue;
+        if (out_.general != kNone || out_.leaves[i].sheet) return false;
+        out_.general = static_cast<std::int32_t>(i);
+      }
+      return true;
+    };
+    const bool one =
+        sort_out(out_.required,
+                 [](const PlacedLeaf& leaf) { return leaf.half_space() || leaf.convex(); }) &&
+        sort_out(out_.optional, [](const PlacedLeaf& leaf) { return leaf.bite(); });
+    if (!one) out_.general = kNone;
+    return one;
+  }
+
   Compiled& out_;
   std::vector<Extent> extents_;
+  std::vector<Bounds> polytopes_;  ///< around the half-spaces of each conjunction
   std::vector<Bounds> leaf_bounds_;
 };
 

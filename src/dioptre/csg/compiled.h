@@ -47,7 +47,8 @@ struct Compiled {
   ConvexCore core;                      ///< of `required`: half-spaces, and if `convex` all
   std::vector<std::uint32_t> beside;    ///< the others of `required`, in the same order
   bool convex = false;                  ///< there is nothing but the core
-  bool carved = false;                  ///< nothing but the core and, in `optional`, bites
+  bool carved = false;                  ///< nothing but the core, bites, and the general leaf
+  std::int32_t general = kNone;         ///< of a carved tree: a leaf that is neither, if it has one
   std::vector<std::uint32_t> optional;  ///< the other leaves that can change the answer
   PartStructure structure;              ///< over `optional`, if they are many
   std::int32_t only_leaf = kNone;       ///< set if the tree is just this leaf

@@ -60,9 +60,7 @@ bool ConvexCore::meet(const std::vector<PlacedLeaf>& placed, const Ray& ray, Int
 
 bool stands_alone(const Crossings& ends, const Crossing& end) {
   for (const Crossing& other : ends) {
-    if ((other.leaf == end.leaf && other.entering == end.entering) || !std::isfinite(other.t)) {
-      continue;
-    }
+    if ((other.leaf == end.leaf && other.t == end.t) || !std::isfinite(other.t)) continue;
     if (!(std::fabs(other.t - end.t) > other.error + end.error)) return false;
   }
   return true;

@@ -46,8 +46,8 @@ enum class NearestEnd {
   kUnclear,  ///< another end may lie at the same place
 };
 
-/// Whether the error interval of `end` meets none of another finite end. Each leaf has one end of
-/// each kind at most, so `end` itself is known by its leaf.
+/// Whether the error interval of `end` meets none of another finite end. What has its leaf and its
+/// t is `end` itself.
 bool stands_alone(const Crossings& ends, const Crossing& end);
 
 /// The first visible end of the common part of the stretches with these ends that lies in the
