@@ -94,8 +94,9 @@ using Terms = double __attribute__((vector_size(32)));
 #define DIOPTRE_WIDE
 #endif
 
-/// The values of components first to last of the lattice noise at a point: the weighted sum over
-/// the eight corners of the cell of 0.5 r0 + r1 dx + r2 dy + r3 dz, d the offset from the corner.
+/// The first so many components of the lattice noise at a point: between the eight corners of the
+/// cell, the values of the linear functions 0.5 r0 + r1 dx + r2 dy + r3 dz, d the offset from the
+/// corner. The four terms stay apart to the end.
 template <std::uint32_t components>
 [[gnu::always_inline]] inline void lattice_noise(Vec3 p, double* out) {
   if (!in_reach(p)) p = {};
@@ -105,29 +106,39 @@ template <std::uint32_t components>
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(floor) + kLatticeShift);
   };
   const std::uint32_t ix = cell(fx), iy = cell(fy), iz = cell(fz);
-  const double sx = fade(offset.x), sy = fade(offset.y), sz = fade(offset.z);
-  const double wx[2] = {1 - sx, sx}, wy[2] = {1 - sy, sy}, wz[2] = {1 - sz, sz};
+  const double* corners[8];
+  Terms offsets[8];
   const auto& h = kTables.hash;
-  Terms sum[components] = {};
+  const Terms first{0.5, offset.x, offset.y, offset.z};
   for (std::uint32_t x = 0; x < 2; ++x) {
     const std::uint32_t hx = h[(ix + x) & 4095];
     for (std::uint32_t y = 0; y < 2; ++y) {
       const std::uint32_t hxy = h[hx ^ ((iy + y) & 4095)];
-      const double wxy = wx[x] * wy[y];
       for (std::uint32_t z = 0; z < 2; ++z) {
-        const double* r = &kLatticeValues[h[hxy ^ ((iz + z) & 4095)] & 255u];
-        const double w = wxy * wz[z];
-        const Terms terms = Terms{0.5, offset.x - x, offset.y - y, offset.z - z} * w;
-        for (std::uint32_t k = 0; k < components; ++k) {
-          Terms values;
-          std::memcpy(&values, r + 4 * k, sizeof values);
-          sum[k] += terms * values;
-        }
+        const std::uint32_t corner = 4 * x + 2 * y + z;
+        corners[corner] = &kLatticeValues[h[hxy ^ ((iz + z) & 4095)] & 255u];
+        offsets[corner] = first - Terms{0, 1.0 * x, 1.0 * y, 1.0 * z};
       }
     }
   }
+  // From each pair of neighbours to what lies between them, along z, then y, then x.
+  const double shares[3] = {fade(offset.z), fade(offset.y), fade(offset.x)};
   for (std::uint32_t k = 0; k < components; ++k) {
-    out[k] = (sum[k][0] + sum[k][1]) + (sum[k][2] + sum[k][3]);
+    Terms values[8];
+#pragma GCC unroll 8
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      std::memcpy(&values[corner], corners[corner] + 4 * k, sizeof(Terms));
+      values[corner] *= offsets[corner];
+    }
+#pragma GCC unroll 3
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+#pragma GCC unroll 4
+      for (std::uint32_t i = 0; i < 4u >> axis; ++i) {
+        values[i] = values[2 * i] + shares[axis] * (values[2 * i + 1] - values[2 * i]);
+      }
+    }
+    const Terms sum = values[0];
+    out[k] = (sum[0] + sum[1]) + (sum[2] + sum[3]);
   }
 }
 
