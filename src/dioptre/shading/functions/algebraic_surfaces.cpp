@@ -3,6 +3,7 @@
 // as measured from POV-Ray 3.7.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "dioptre/shading/functions/internal_function_families.h"
 
@@ -37,6 +38,18 @@ double bifolia(const double* a) {
   return field(a, a[4] * r2 * a[1] - square(r2 + square(a[1])));
 }
 
+double boy_surface(const double* a) {
+  // F. Apery, Models of the Real Projective Plane, 1987: the sextic of Boy's surface.
+  constexpr double kRoot2 = std::numbers::sqrt2;
+  const double x = a[0], y = a[1], z = a[2], c = 1 - z;
+  const double x2 = x * x, y2 = y * y, z2 = z * z, r2 = x2 + y2, r4 = r2 * r2, z4 = z2 * z2;
+  const double value =
+      64 * cube(c * z) - 48 * square(c * z) * (3 * r2 + 2 * z2) +
+      12 * c * z * (27 * r4 - 24 * z2 * r2 + 36 * kRoot2 * y * z * (y2 - 3 * x2) + 4 * z4) +
+      (9 * r2 - 2 * z2) * (-81 * r4 - 72 * z2 * r2 + 108 * kRoot2 * x * z * (x2 - 3 * y2) + 4 * z4);
+  return field(a, a[4] * value);
+}
+
 double crossed_trough(const double* a) { return field(a, square(a[0] * a[2]) - a[1]); }
 
 double cubic_saddle(const double* a) { return field(a, cube(a[1]) - cube(a[0]) + a[2]); }
@@ -50,6 +63,24 @@ double cushion(const double* a) {
 double devils_curve(const double* a) {
   const double x2 = square(a[0]), y2 = square(a[1]), z2 = square(a[2]);
   return field(a, y2 * (y2 - 0.25) + 0.36 * x2 - square(x2 + z2));
+}
+
+double dupin_cyclid(const double* a) {
+  // The quartic of a torus (radii R and r, axis along y, centre X, Y, 0), inverted in a sphere.
+  const double x = a[0], y = a[1], z = a[2], s = x * x + y * y + z * z;
+  const double major2 = square(a[4]), tube = major2 - square(a[5]), k = square(a[8]);
+  const double shift = square(a[6]) + square(a[7]);
+  const double value = square(square(k) - 2 * k * (x * a[6] + y * a[7]) + s * (shift + tube)) -
+                       4 * major2 * (square(k * x - a[6] * s) + square(k * z));
+  return field(a, -(value + 8 * k * a[7] * y * s * tube));  // the last term: (measured)
+}
+
+double enneper(const double* a) {
+  // Near the plane z = 0 the denominators stay away from it (measured).
+  constexpr double kLeast = 0.2;
+  const double z = a[2], w = std::abs(z) < kLeast ? kLeast : z;
+  const double saddle = (square(a[1]) - square(a[0])) / (4 * w);
+  return field(a, 6 * square(saddle) - cube(2 * saddle + 2 * z * z / 9));
 }
 
 double folium_surface(const double* a) {

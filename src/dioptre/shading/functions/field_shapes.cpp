@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance-like functions, coordinates, blobs and sums of noise.
+// Distance-like functions, coordinates and blobs.
 #include <algorithm>
 #include <cmath>
 
 #include "dioptre/shading/functions/internal_function_families.h"
-#include "dioptre/shading/noise/noise.h"
 
 namespace dioptre::internal_functions {
 namespace {
 
-constexpr int kMaxOctaves = 64;
-constexpr int kMaxPower = 64;
-
 double square(double v) { return v * v; }
+
+double distance(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
 double axis_distance(const double* a) { return std::sqrt(square(a[0]) + square(a[2])); }
 
@@ -22,21 +20,6 @@ double blob_component(const double* a, double centre, double strength, double in
   return rest > 0 ? strength * square(rest) : 0;
 }
 
-NoiseGenerator generator_of(double number) {
-  if (number >= 3 && number < 4) return NoiseGenerator::kPerlin;
-  if (number >= 2 && number < 3) return NoiseGenerator::kRangeCorrected;
-  return NoiseGenerator::kOriginal;
-}
-
-/// Noise in -1 to 1 at `frequency` times the point.
-double signed_noise(const double* a, double frequency, NoiseGenerator generator) {
-  return 2 * noise({a[0] * frequency, a[1] * frequency, a[2] * frequency}, generator) - 1;
-}
-
-int octave_count(double octaves) {
-  return octaves > 1 ? static_cast<int>(std::min<double>(octaves, kMaxOctaves)) : 1;
-}
-
 /// x^2 + e (y^2 + z^2) along each axis.
 struct Ellipsoids {
   double x, y, z;
@@ -44,6 +27,12 @@ struct Ellipsoids {
 Ellipsoids ellipsoids(const double* a) {
   const double x2 = square(a[0]), y2 = square(a[1]), z2 = square(a[2]);
   return {x2 + a[3] * (y2 + z2), y2 + a[3] * (x2 + z2), z2 + a[3] * (x2 + y2)};
+}
+
+/// The sum of exp(-rate e) over the three ellipsoids e.
+double ellipsoid_sum(const double* a, double rate) {
+  const Ellipsoids e = ellipsoids(a);
+  return std::exp(-rate * e.x) + std::exp(-rate * e.y) + std::exp(-rate * e.z);
 }
 
 }  // namespace
@@ -68,47 +57,40 @@ double isect_ellipsoids(const double* a) {
   return a[6] - a[5] * std::exp(-a[4] * std::max({e.x, e.y, e.z}));
 }
 
+double flange_cover(const double* a) { return a[6] - a[5] * ellipsoid_sum(a, a[4]); }
+
+double spikes(const double* a) {
+  const double r2 = square(a[0]) + square(a[1]) + square(a[2]);
+  return a[5] * (ellipsoid_sum(a, a[4]) - a[7] * std::exp(-a[6] * r2));
+}
+
+double quantum(const double* a) {
+  // The density of a d orbital about y; the rate is the reference's, not quite 4/3 (measured).
+  constexpr double kRate = 1.33333332;
+  const double q = 2 * square(a[1]) - square(a[0]) - square(a[2]);
+  return 1.2 - 1.6 * std::exp(-kRate * radius(a)) * square(q);
+}
+
+double comma(const double* a) {
+  // A head, and a tail from it round a circle: half of a torus that narrows to nothing.
+  const double y = a[1], z = a[2], size = a[3];
+  const double x = a[0] == 0 && z == 0 ? 1e-4 : a[0];  // (measured)
+  const double head = distance(x - size / 2, y, z) - size / 2;
+  const double ring = std::sqrt(square(x + size / 4) + square(z)) - 0.75 * size;
+  const double tail =
+      std::sqrt(square(ring) + square(y)) - size / 2 * std::cos(std::atan2(z, x) / 2);
+  return std::min(head, std::max(tail, -z));
+}
+
 double ellipsoid(const double* a) {
   return std::sqrt(square(a[0] * a[3]) + square(a[1] * a[4]) + square(a[2] * a[5]));
-}
-
-double hetero_mf(const double* a) {
-  // F. K. Musgrave's heterogeneous multifractal; octaves are scaled by whole powers of the sum;
-  // the last of a broken number of octaves counts in part.
-  const NoiseGenerator generator = generator_of(a[8]);
-  const double count = std::min<double>(a[5], kMaxOctaves);
-  const int power = a[7] > 1 ? static_cast<int>(std::min<double>(a[7], kMaxPower)) : a[7] == 1;
-  double value = signed_noise(a, 1, generator) + a[6];
-  double frequency = 1;
-  for (int i = 1; i < count; ++i) {
-    frequency *= a[4];
-    const double weight = std::pow(frequency, -a[3]) * std::pow(value, power);
-    const double share = std::min(1.0, count - i);
-    value += share * (signed_noise(a, frequency, generator) + a[6]) * weight;
-  }
-  return value;
-}
-
-double ridged_mf(const double* a) {
-  // F. K. Musgrave's ridged multifractal.
-  const NoiseGenerator generator = generator_of(a[8]);
-  const int octaves = octave_count(a[5]);
-  double signal = square(a[6] - std::abs(signed_noise(a, 1, generator)));
-  double value = signal, frequency = 1;
-  for (int i = 1; i < octaves; ++i) {
-    frequency *= a[4];
-    const double weight = std::clamp(signal * a[7], 0.0, 1.0);
-    signal = weight * square(a[6] - std::abs(signed_noise(a, frequency, generator)));
-    value += signal * std::pow(frequency, -a[3]);
-  }
-  return value;
 }
 
 double polar_angle(const double* a) { return std::atan2(axis_distance(a), a[1]); }
 
 double azimuth(const double* a) { return std::atan2(a[0], a[2]); }
 
-double radius(const double* a) { return std::sqrt(square(a[0]) + square(a[1]) + square(a[2])); }
+double radius(const double* a) { return distance(a[0], a[1], a[2]); }
 
 double poly4(const double* a) {
   const double y = a[1];
@@ -141,11 +123,5 @@ double superellipsoid(const double* a) {
 double torus(const double* a) {
   return std::sqrt(square(axis_distance(a) - a[3]) + square(a[1])) - a[4];
 }
-
-double noise_3d(const double* a) {
-  return noise({a[0], a[1], a[2]}, NoiseGenerator::kRangeCorrected);
-}
-
-double noise_of_generator(const double* a) { return noise({a[0], a[1], a[2]}, generator_of(a[3])); }
 
 }  // namespace dioptre::internal_functions
