@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/io/pov/lexer.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -8,9 +10,46 @@
 namespace dioptre::pov {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool continues_name(char c) { return begins_name(c) || is_digit(c); }
+/// What a character can be.
+enum : std::uint8_t { kDigit = 1, kLetter = 2, kBlank = 4, kMark = 8, kCommentPart = 16 };
+
+constexpr auto kClasses = [] {
+  std::array<std::uint8_t, 256> classes{};
+  const auto mark = [&](std::string_view all, std::uint8_t as) {
+    for (const char c : all) classes[static_cast<unsigned char>(c)] |= as;
+  };
+  mark("0123456789", kDigit);
+  mark("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", kLetter);
+  mark(" \t\f\v\x1a", kBlank);
+  mark("(){}[]<>,;:=+-*/?!&|.", kMark);
+  mark("/*\n\r", kCommentPart);
+  return classes;
+}();
+
+bool is(char c, std::uint8_t of) { return kClasses[static_cast<unsigned char>(c)] & of; }
+bool is_digit(char c) { return is(c, kDigit); }
+
+/// A decimal number of few digits, which one division of exact numbers gives (Clinger 1990, "How to
+/// read floating point numbers accurately"); false if that does not do. `digits` has at most one
+/// point and nothing else.
+bool read_short(std::string_view digits, double& value) {
+  static constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  if (digits.size() > 16) return false;
+  std::uint64_t whole = 0;
+  std::size_t behind = 0;  // the point, counted from it on
+  for (const char c : digits) {
+    if (c == '.') {
+      behind = 1;
+      continue;
+    }
+    whole = 10 * whole + static_cast<std::uint64_t>(c - '0');
+    if (behind > 0) ++behind;
+  }
+  if (whole >= std::uint64_t{1} << 53) return false;
+  value = static_cast<double>(whole) / kPowers[behind > 0 ? behind - 1 : 0];
+  return true;
+}
 
 void append_utf8(std::string& text, unsigned code) {
   if (code < 0x80) {
@@ -53,10 +92,25 @@ Literal cook(std::string_view written) {
   return literal;
 }
 
+bool is_ascii(std::string_view text) {
+  std::uint64_t all = 0;
+  for (; text.size() >= sizeof all; text.remove_prefix(sizeof all)) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, text.data(), sizeof eight);
+    all |= eight;
+  }
+  for (const char c : text) all |= static_cast<unsigned char>(c);
+  return (all & 0x8080808080808080) == 0;
+}
+
 class Lexer {
  public:
   Lexer(Program& program, std::uint32_t file, Symbols& symbols)
-      : program_(program), text_(program.text), file_(file), symbols_(symbols) {}
+      : program_(program), text_(program.text), file_(file), symbols_(symbols) {
+    ascii_ = is_ascii(text_);
+    program_.tokens.reserve(text_.size() / 6 + 16);
+    program_.lines.reserve(text_.size() / 32 + 16);
+  }
 
   void run(std::uint64_t most_tokens) {
     program_.lines.push_back(0);
@@ -77,7 +131,8 @@ class Lexer {
   }
 
  private:
-  char look(std::size_t ahead = 0) const {
+  char look() const { return text_[at_]; }  // the text ends with 0
+  char look(std::size_t ahead) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
   void new_line() {
@@ -89,13 +144,13 @@ class Lexer {
   bool skip_blanks() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (c == '\n' || c == '\r') {
+      if (is(c, kBlank)) {
+        ++at_;
+      } else if (c == '\n' || c == '\r') {
         at_ += c == '\r' && look(1) == '\n' ? 2 : 1;
         new_line();
-      } else if (c == ' ' || c == '\t' || c == '\f' || c == '\v' || c == '\x1a') {
-        ++at_;
       } else if (c == '/' && look(1) == '/') {
-        while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+        skip_line();
       } else if (c == '/' && look(1) == '*') {
         skip_comment();
       } else {
@@ -104,10 +159,18 @@ class Lexer {
     }
     return false;
   }
+  /// Goes to the end of the line.
+  void skip_line() {
+    const std::string_view rest = std::string_view(text_).substr(at_);
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    at_ += std::min(line.size(), line.find('\r'));
+  }
   void skip_comment() {
     const SourcePosition begin = position();
     int depth = 0;
-    while (at_ < text_.size()) {
+    while (true) {
+      while (at_ < text_.size() && !is(text_[at_], kCommentPart)) ++at_;
+      if (at_ >= text_.size()) break;
       if (look() == '/' && look(1) == '*') {
         ++depth;
         at_ += 2;
@@ -126,22 +189,26 @@ class Lexer {
   }
   /// The place of the next character; columns count characters, not bytes.
   SourcePosition position() {
+    if (ascii_) {
+      column_ += static_cast<std::uint32_t>(at_ - counted_);
+      counted_ = at_;
+    }
     for (; counted_ < at_; ++counted_) {
       if ((static_cast<unsigned char>(text_[counted_]) & 0xC0) != 0x80) ++column_;
     }
     return {file_, static_cast<std::uint32_t>(program_.lines.size()), column_};
   }
   Token& add(Token::Kind kind) {
-    Token token;
+    Token& token = program_.tokens.emplace_back();
     token.kind = kind;
     token.position = in_comment_ ? comment_ : position();
-    return program_.tokens.emplace_back(token);
+    return token;
   }
   void token() {
     const char c = look();
     if (is_digit(c) || (c == '.' && is_digit(look(1)))) {
       number();
-    } else if (begins_name(c)) {
+    } else if (is(c, kLetter)) {
       Token& token = add(Token::Kind::kName);
       token.index = symbols_.intern(name());
     } else if (c == '"') {
@@ -154,7 +221,7 @@ class Lexer {
   }
   std::string_view name() {
     const std::size_t begin = at_;
-    while (continues_name(look())) ++at_;
+    while (is(look(), kLetter | kDigit)) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
   void number() {
@@ -165,6 +232,7 @@ class Lexer {
       ++at_;
       while (is_digit(look())) ++at_;
     }
+    const std::string_view plain = std::string_view(text_).substr(begin, at_ - begin);
     if (look() == 'e' || look() == 'E') {
       const std::size_t sign = look(1) == '+' || look(1) == '-' ? 2 : 1;
       if (is_digit(look(sign))) {
@@ -172,6 +240,7 @@ class Lexer {
         while (is_digit(look())) ++at_;
       }
     }
+    if (plain.size() == at_ - begin && read_short(plain, token.number)) return;
     const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, token.number);
     if (read.ec == std::errc::result_out_of_range) {
       token.number = std::strtod(std::string(text_, begin, at_ - begin).c_str(), nullptr);
@@ -216,7 +285,7 @@ class Lexer {
     if (d == '=' && (c == '<' || c == '>' || c == '!')) {
       token.punctuation = c == '<' ? 'l' : c == '>' ? 'g' : 'n';
       ++at_;
-    } else if (c == '\0' || !std::strchr("(){}[]<>,;:=+-*/?!&|.", c)) {
+    } else if (!is(c, kMark)) {
       token.punctuation = kStrayCharacter;
       token.index = static_cast<unsigned char>(c);
     }
@@ -226,6 +295,7 @@ class Lexer {
   const std::string& text_;
   const std::uint32_t file_;
   Symbols& symbols_;
+  bool ascii_;
   std::size_t at_ = 0;
   std::size_t counted_ = 0;  ///< columns are counted up to here
   std::uint32_t column_ = 1;

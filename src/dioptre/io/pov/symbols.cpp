@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/io/pov/symbols.h"
 
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
 namespace dioptre::pov {
 namespace {
 
@@ -12,7 +16,21 @@ constexpr const char* kKeywords[] = {
 
 }  // namespace
 
+std::size_t Symbols::Hash::operator()(std::string_view name) const {
+  std::uint64_t hash = name.size();
+  while (!name.empty()) {
+    std::uint64_t letters = 0;
+    const std::size_t count = std::min(name.size(), sizeof letters);
+    std::memcpy(&letters, name.data(), count);
+    hash = (hash ^ letters) * 0x9E3779B97F4A7C15;
+    hash ^= hash >> 32;
+    name.remove_prefix(count);
+  }
+  return hash;
+}
+
 Symbols::Symbols() {
+  numbers_.reserve(4 * std::size(kKeywords));
   for (const char* keyword : kKeywords) intern(keyword);
 }
 

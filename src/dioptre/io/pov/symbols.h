@@ -23,8 +23,13 @@ class Symbols {
   std::size_t size() const { return names_.size(); }
 
  private:
+  /// Eight letters at a time; names are short, and there are many.
+  struct Hash {
+    std::size_t operator()(std::string_view name) const;
+  };
+
   std::deque<std::string> names_;  ///< a deque, so that the map's keys stay where they are
-  std::unordered_map<std::string_view, Symbol> numbers_;
+  std::unordered_map<std::string_view, Symbol, Hash> numbers_;
 };
 
 }  // namespace dioptre::pov
