@@ -94,6 +94,11 @@ Vec2 PlacedLeaf::uv(const Ray& ray, const Crossing& crossing) const {
   return leaf_.shape->uv(to_object(ray), own(crossing));
 }
 
+void PlacedLeaf::texture_shares(const Ray& ray, const Crossing& crossing,
+                                std::vector<TextureShare>& out) const {
+  leaf_.shape->texture_shares(to_object(ray), own(crossing), out);
+}
+
 Surface PlacedLeaf::surface(const Ray& ray, const Crossing& crossing) const {
   Surface surface = leaf_.shape->surface(to_object(ray), own(crossing));
   if (moved_) {

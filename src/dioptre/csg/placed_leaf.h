@@ -52,6 +52,8 @@ class PlacedLeaf {
   bool contains(Vec3 p) const;
   Surface surface(const Ray& ray, const Crossing& crossing) const;
   Vec2 uv(const Ray& ray, const Crossing& crossing) const;
+  void texture_shares(const Ray& ray, const Crossing& crossing,
+                      std::vector<TextureShare>& out) const;
 
  private:
   Crossing own(const Crossing& crossing) const;

@@ -29,6 +29,10 @@ class PlacedShape final : public Explainable {
   Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
     return leaf_.uv(ray, crossing);
   }
+  void texture_shares(const Ray& ray, const Crossing& crossing,
+                      std::vector<TextureShare>& out) const override {
+    leaf_.texture_shares(ray, crossing, out);
+  }
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
     if (!leaf_.nearest(ray, range, out)) return false;
     out.leaf = id_;
@@ -118,6 +122,10 @@ class Tree final : public Explainable {
   }
   Vec2 uv(const Ray& ray, const Crossing& crossing) const override {
     return compiled_.placed[crossing.leaf].uv(ray, crossing);
+  }
+  void texture_shares(const Ray& ray, const Crossing& crossing,
+                      std::vector<TextureShare>& out) const override {
+    compiled_.placed[crossing.leaf].texture_shares(ray, crossing, out);
   }
 
   RayStretches explain(const Ray& ray, Interval range) const override {

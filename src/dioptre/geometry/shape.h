@@ -29,6 +29,13 @@ struct Crossing {
 
 using Crossings = std::vector<Crossing>;
 
+/// What one of a shape's own textures counts for at a point; see Shape::texture_shares.
+struct TextureShare {
+  static constexpr std::uint32_t kWhole = 0xffffffff;
+  std::uint32_t part = kWhole;  ///< index into Object::part_textures; kWhole: that of the object
+  double share = 1;
+};
+
 /// The local geometry of a surface at a crossing, in the shape's own space unless said otherwise.
 struct Surface {
   Vec3 position;
@@ -79,6 +86,10 @@ class Shape {
 
   /// The surface coordinates at such a crossing, in [0,1]^2; (0, 0) if the shape has none.
   virtual Vec2 uv(const Ray&, const Crossing&) const { return {}; }
+
+  /// Appends what the textures of the shape's parts count for at such a crossing, 1 in sum; nothing
+  /// where only the texture of the whole shows.
+  virtual void texture_shares(const Ray&, const Crossing&, std::vector<TextureShare>&) const {}
 
   /// The first visible crossing in the range; false if there is none. The default asks
   /// `crossings`; shapes override it where they can stop early.

@@ -22,7 +22,7 @@ SurfaceInteraction see(const RenderScene& scene, const Ray& ray, const Hit& hit,
   const bool from_inside = dot(at.surface.normal, ray.direction) > 0;
   at.surface.normal = facing(at.surface.normal, ray.direction);
   at.surface.shading_normal = facing(at.surface.shading_normal, ray.direction);
-  scene.evaluate_texture(at, ray.direction, from_inside, out);
+  scene.evaluate_texture(at, ray, hit, from_inside, out);
   return at;
 }
 

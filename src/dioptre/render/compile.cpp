@@ -83,9 +83,14 @@ class Compiler {
     item.no_reflection = own.no_reflection;
     for (std::size_t i = 0; i < solid->parts.size(); ++i) {
       Part part = solid->parts[i];
-      auto index = placement(solid->texture_to_world[i]);
+      auto index = placement(solid->textures[i].whole);
       if (!index) return tl::unexpected(index.error());
       part.placement = *index;
+      if (part.has_part_textures) {
+        auto own = placement(solid->textures[i].own);
+        if (!own) return tl::unexpected(own.error());
+        part.part_placement = *own;
+      }
       part.needs = needs(part);
       out_.parts_.push_back(part);
     }
@@ -117,8 +122,15 @@ class Compiler {
   }
 
   TextureNeeds needs(const Part& part) const {
-    const TextureNeeds a = needs_[part.texture.index], b = needs_[part.interior_texture.index];
-    return {part.uv_mapping || a.uv || b.uv, a.surface || b.surface};
+    TextureNeeds all{.uv = part.uv_mapping};
+    const auto add = [&](TextureId id) {
+      all.uv = all.uv || needs_[id.index].uv;
+      all.surface = all.surface || needs_[id.index].surface;
+    };
+    add(part.texture);
+    add(part.interior_texture);
+    for (const TextureId id : at(scene_.objects, part.object).part_textures) add(id);
+    return all;
   }
 
   bool opaque(const Part& part) const {

@@ -83,8 +83,8 @@ SurfaceInteraction RenderScene::interaction(const Ray& ray, const Hit& hit) cons
   return at;
 }
 
-TexturePoint RenderScene::texture_point(const SurfaceInteraction& at, Vec3 view) const {
-  const TexturePlacement& placement = placements_[at.part->placement];
+TexturePoint RenderScene::texture_point(const SurfaceInteraction& at, Vec3 view,
+                                        const TexturePlacement& placement) const {
   TexturePoint point{at.surface.position, at.surface.shading_normal, view, at.uv};
   if (placement.moved) {
     point.position = placement.to_object.point(point.position);
@@ -97,14 +97,48 @@ TexturePoint RenderScene::texture_point(const SurfaceInteraction& at, Vec3 view)
   return point;
 }
 
-void RenderScene::evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
-                                   TextureSample& out) const {
+/// Calls visit(texture, share, placement) for the textures that show at a surface: that of the
+/// whole, or those of the shape's parts. An interior texture covers these.
+template <class Visitor>
+void RenderScene::for_each_texture(const SurfaceInteraction& at, const Ray& ray, const Hit& hit,
+                                   bool from_inside, Visitor&& visit) const {
+  const Part& part = *at.part;
+  const TextureId whole = from_inside ? part.interior_texture : part.texture;
+  const TexturePlacement& placement = placements_[part.placement];
+  if (!part.has_part_textures || whole != part.texture) return visit(whole, 1.0f, placement);
+  thread_local std::vector<TextureShare> shares;
+  shares.clear();
+  hit.item->shape->texture_shares(ray, hit.crossing, shares);
+  if (shares.empty()) return visit(whole, 1.0f, placement);
+  const std::vector<TextureId>& own = dioptre::at(scene_.objects, part.object).part_textures;
+  for (const TextureShare& each : shares) {
+    const auto share = static_cast<float>(each.share);
+    if (each.part < own.size()) {
+      visit(own[each.part], share, placements_[part.part_placement]);
+    } else {
+      visit(whole, share, placement);
+    }
+  }
+}
+
+void RenderScene::evaluate_texture(const SurfaceInteraction& at, const Ray& ray, const Hit& hit,
+                                   bool from_inside, TextureSample& out) const {
   out.clear();
-  const TexturePoint point = texture_point(at, view);
-  textures_->evaluate(from_inside ? at.part->interior_texture : at.part->texture, point, out);
-  const TexturePlacement& placement = placements_[at.part->placement];
+  for_each_texture(at, ray, hit, from_inside,
+                   [&](TextureId texture, float share, const TexturePlacement& placement) {
+                     append_texture(at, ray.direction, texture, share, placement, out);
+                   });
+}
+
+void RenderScene::append_texture(const SurfaceInteraction& at, Vec3 view, TextureId texture,
+                                 float share, const TexturePlacement& placement,
+                                 TextureSample& out) const {
+  const TexturePoint point = texture_point(at, view, placement);
+  std::size_t i = out.layers.size();
+  textures_->append(texture, share, point, out);
   if (!placement.moved) return;
-  for (SurfaceLayer& layer : out.layers) {
+  for (; i < out.layers.size(); ++i) {
+    SurfaceLayer& layer = out.layers[i];
     layer.normal = layer.normal == point.normal
                        ? at.surface.shading_normal
                        : normalize(placement.to_object.covector(layer.normal));
@@ -113,13 +147,14 @@ void RenderScene::evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool
 
 /// How much a surface gathers the light that comes through it along the normal, as thick glass
 /// would: 1 + cos^(45 caustics) of the angle to the disturbed normal (measured).
-float RenderScene::caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const {
+float RenderScene::caustic(const SurfaceInteraction& facing, const Ray& ray, const Hit& hit,
+                           bool leaving) const {
   const double caustics = dioptre::at(scene_.interiors, facing.part->interior).caustics;
   if (!(caustics > 0)) return 1;
   thread_local TextureSample sample;
-  evaluate_texture(facing, direction, leaving, sample);
-  const double cosine = sample.layers.empty() ? dot(facing.surface.shading_normal, direction)
-                                              : dot(sample.layers.front().normal, direction);
+  evaluate_texture(facing, ray, hit, leaving, sample);
+  const double cosine = sample.layers.empty() ? dot(facing.surface.shading_normal, ray.direction)
+                                              : dot(sample.layers.front().normal, ray.direction);
   return static_cast<float>(1 + std::pow(std::fabs(cosine), 45 * caustics));
 }
 
@@ -130,10 +165,14 @@ Color RenderScene::surface_transmittance(const Ray& ray, const Hit& hit) const {
   }
   const Part& part = *facing.part;
   const bool leaving = !hit.crossing.entering;
-  const Color through = textures_->transmittance(leaving ? part.interior_texture : part.texture,
-                                                 texture_point(facing, ray.direction));
+  Color through;
+  for_each_texture(facing, ray, hit, leaving,
+                   [&](TextureId texture, float share, const TexturePlacement& placement) {
+                     const TexturePoint point = texture_point(facing, ray.direction, placement);
+                     through += textures_->transmittance(texture, point) * share;
+                   });
   if (!part.interior || is_black(through)) return through;
-  return through * caustic(facing, ray.direction, leaving);
+  return through * caustic(facing, ray, hit, leaving);
 }
 
 bool RenderScene::shadow_hits(const Ray& ray, Interval range, std::vector<Hit>& hits,

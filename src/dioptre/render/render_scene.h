@@ -23,6 +23,9 @@ struct Part {
   InteriorId interior;          ///< may be none
   std::uint32_t medium = 0;     ///< a number for each use of an interior; 0 without one
   std::uint32_t placement = 0;  ///< of the texture, index into RenderScene's placements
+  /// Of the textures of the shape's own parts; the same kind of index. 0 without such.
+  std::uint32_t part_placement = 0;
+  bool has_part_textures = false;
   bool uv_mapping = false;
   TextureNeeds needs;  ///< of both textures
   bool double_illuminate = false;
@@ -115,8 +118,8 @@ class RenderScene {
 
   /// The texture of a surface seen along the ray: its layers, with normals in world space. The
   /// normal of the interaction must face the viewer already.
-  void evaluate_texture(const SurfaceInteraction& at, Vec3 view, bool from_inside,
-                        TextureSample& out) const;
+  void evaluate_texture(const SurfaceInteraction& at, const Ray& ray, const Hit& hit,
+                        bool from_inside, TextureSample& out) const;
 
   /// What the surface at a hit wears.
   const Part& part(const Hit& hit) const {
@@ -135,8 +138,15 @@ class RenderScene {
  private:
   friend class Compiler;
   explicit RenderScene(const Scene& scene) : scene_(scene) {}
-  float caustic(const SurfaceInteraction& facing, Vec3 direction, bool leaving) const;
-  TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view) const;
+  float caustic(const SurfaceInteraction& facing, const Ray& ray, const Hit& hit,
+                bool leaving) const;
+  TexturePoint texture_point(const SurfaceInteraction& at, Vec3 view,
+                             const TexturePlacement& placement) const;
+  template <class Visitor>
+  void for_each_texture(const SurfaceInteraction& at, const Ray& ray, const Hit& hit,
+                        bool from_inside, Visitor&& visit) const;
+  void append_texture(const SurfaceInteraction& at, Vec3 view, TextureId texture, float share,
+                      const TexturePlacement& placement, TextureSample& out) const;
 
   const Scene& scene_;
   std::vector<ShapePtr> shapes_;

@@ -23,7 +23,7 @@ class SolidBuilder {
 
   csg::Description description;
   std::vector<Part> parts;
-  std::vector<Affine> texture_to_world;
+  std::vector<PartTextures> textures;
 
  private:
   Result<std::int32_t> add_leaf(ObjectId id, const Inherited& own, bool complement) {
@@ -37,11 +37,12 @@ class SolidBuilder {
                      .interior_texture = own.interior_texture,
                      .interior = own.interior,
                      .medium = own.medium,
+                     .has_part_textures = !at(scene_.objects, id).part_textures.empty(),
                      .uv_mapping = own.uv_mapping,
                      .double_illuminate = own.double_illuminate,
                      .light_group = own.light_group,
                      .global_lights = own.global_lights});
-    texture_to_world.push_back(own.texture_to_world);
+    textures.push_back({own.texture_to_world, own.to_world});
     return ~static_cast<std::int32_t>(description.leaves.size() - 1);
   }
 
@@ -139,7 +140,7 @@ Result<Solid> build_solid(const Scene& scene, PreparedShapes& shapes, ObjectId i
   if (!root) return tl::unexpected(root.error());
   builder.description.root = *root;
   return Solid{csg::build(std::move(builder.description), shapes.accelerator()),
-               std::move(builder.parts), std::move(builder.texture_to_world)};
+               std::move(builder.parts), std::move(builder.textures)};
 }
 
 }  // namespace dioptre

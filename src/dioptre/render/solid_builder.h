@@ -52,11 +52,17 @@ class PreparedShapes {
   std::uint32_t media_ = 0;
 };
 
+/// Where the textures of a part lie.
+struct PartTextures {
+  Affine whole;  ///< of the part's texture, to the world
+  Affine own;    ///< of those of the shape's own parts, to the world
+};
+
 /// One solid with the look of its parts, in the order of Crossing::leaf.
 struct Solid {
   ShapePtr shape;
   std::vector<Part> parts;
-  std::vector<Affine> texture_to_world;  ///< of each part
+  std::vector<PartTextures> textures;  ///< of each part
 };
 
 /// Builds the shape of one object with all its parts, placed by `from`.

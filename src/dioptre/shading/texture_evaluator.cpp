@@ -27,8 +27,9 @@ class CompiledTextures final : public TextureEvaluator {
     textures_.compile(scene, {pigments_, normals_, images_}, services);
   }
 
-  void evaluate(TextureId texture, const TexturePoint& point, TextureSample& out) const override {
-    textures_.evaluate(texture, point, out);
+  void append(TextureId texture, float weight, const TexturePoint& point,
+              TextureSample& out) const override {
+    textures_.append(texture, weight, point, out);
   }
   Color transmittance(TextureId texture, const TexturePoint& point) const override {
     return textures_.transmittance(texture, point);

@@ -54,7 +54,14 @@ class TextureEvaluator {
                                                                  InsideTest inside);
   virtual ~TextureEvaluator() = default;
 
-  virtual void evaluate(TextureId texture, const TexturePoint& point, TextureSample& out) const = 0;
+  /// What a texture is at a point.
+  void evaluate(TextureId texture, const TexturePoint& point, TextureSample& out) const {
+    out.clear();
+    append(texture, 1, point, out);
+  }
+  /// Appends what a texture is at a point, as stacks whose weights sum to `weight`.
+  virtual void append(TextureId texture, float weight, const TexturePoint& point,
+                      TextureSample& out) const = 0;
   /// Only the colours, for shadow rays: the share of light that passes through all layers.
   virtual Color transmittance(TextureId texture, const TexturePoint& point) const = 0;
   /// True if the texture lets no light through anywhere.

@@ -35,6 +35,7 @@ class PreparedBlob final : public Shape {
     boxes.reserve(components_.size());
     for (const FieldComponent& c : components_) {
       boxes.push_back(c.bounds);
+      textured_ = textured_ || c.texture != TextureShare::kWhole;
       if ((c.strength > 0) == (threshold_ >= 0)) bounds_ = unite(bounds_, c.bounds);
     }
     tree_ = BoundingVolumeHierarchy(boxes);
@@ -77,6 +78,21 @@ class PreparedBlob final : public Shape {
     s.normal = normalize(size > 0 && std::isfinite(size) ? gradient / -size : against);
     s.shading_normal = s.normal;
     return s;
+  }
+
+  /// Textures count as their components do, those that take away too (measured).
+  void texture_shares(const Ray& ray, const Crossing& crossing,
+                      std::vector<TextureShare>& out) const override {
+    if (!textured_) return;
+    const Vec3 p = ray.at(crossing.t);
+    const std::size_t first = out.size();
+    double sum = 0;
+    tree_.visit_at(p, [&](std::uint32_t i) {
+      const double share = std::fabs(field_at(components_[i], p));
+      if (share > 0) out.push_back({components_[i].texture, share});
+      sum += share;
+    });
+    for (std::size_t i = first; i < out.size(); ++i) out[i].share /= sum;
   }
 
  private:
@@ -137,6 +153,7 @@ class PreparedBlob final : public Shape {
 
   double threshold_;
   std::vector<FieldComponent> components_;
+  bool textured_ = false;  ///< some of them have a texture of their own
   BoundingVolumeHierarchy tree_;
   Bounds bounds_;
 };

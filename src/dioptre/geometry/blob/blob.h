@@ -17,7 +17,8 @@ struct BlobComponent {
   double radius = 1;
   double strength = 1;  ///< may be negative
   Affine transform;
-  std::uint32_t texture = 0xffffffff;  ///< index into Object::part_textures; none: the object's own
+  std::uint32_t texture =
+      TextureShare::kWhole;  ///< index into Object::part_textures; none: the object's own
   bool operator==(const BlobComponent&) const = default;
 
   template <class Self, class Visitor>

@@ -94,6 +94,7 @@ Result<std::vector<FieldComponent>> field_components(const Blob& blob) {
     if (!c) return tl::unexpected<Error>(c.error());
     if (!*c) continue;
     (*c)->index = static_cast<std::uint32_t>(i);
+    (*c)->texture = blob.components[i].texture;
     components.push_back(**c);
   }
   return components;

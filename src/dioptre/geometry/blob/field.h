@@ -18,8 +18,9 @@ struct FieldComponent {
   Affine to_unit;     ///< from the blob's space
   double length = 0;  ///< 0 for a ball
   double strength = 1;
-  std::uint32_t index = 0;  ///< in Blob::components
-  Bounds bounds;            ///< of its influence, in the blob's space
+  std::uint32_t index = 0;                       ///< in Blob::components
+  std::uint32_t texture = TextureShare::kWhole;  ///< as BlobComponent has it
+  Bounds bounds;                                 ///< of its influence, in the blob's space
 };
 
 /// A stretch of a ray on which one component's squared distance is one quadratic of t.

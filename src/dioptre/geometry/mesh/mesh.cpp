@@ -105,6 +105,19 @@ class PreparedMesh final : public Shape {
     return (1 - v - w) * uvs[corners[0]] + v * uvs[corners[1]] + w * uvs[corners[2]];
   }
 
+  /// Between its corners a face shows what lies between their textures.
+  void texture_shares(const Ray&, const Crossing& crossing,
+                      std::vector<TextureShare>& out) const override {
+    const auto& textures = data_->faces[crossing.face].textures;
+    const double v = crossing.u, w = crossing.v;
+    if (textures[0] == textures[1] && textures[1] == textures[2]) {
+      if (textures[0] != MeshData::kNoTexture) out.push_back({textures[0], 1});
+      return;
+    }
+    const std::array<double, 3> shares{1 - v - w, v, w};
+    for (std::size_t i = 0; i < 3; ++i) out.push_back({textures[i], shares[i]});
+  }
+
  private:
   std::array<Vec3, 3> corners(const Face& face) const {
     const auto& all = data_->corners;

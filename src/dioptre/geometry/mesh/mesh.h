@@ -14,7 +14,7 @@ namespace dioptre {
 /// The corners, normals and texture coordinates that the triangles of a mesh index.
 struct MeshData {
   /// A corner without a texture of its own shows the texture of the object.
-  static constexpr std::uint32_t kNoTexture = 0xffffffff;
+  static constexpr std::uint32_t kNoTexture = TextureShare::kWhole;
   struct Face {
     std::array<std::uint32_t, 3> corners{};
     std::array<std::uint32_t, 3> normals{};  ///< used if MeshData::normals is not empty

@@ -68,10 +68,12 @@ void TextureTable::find_opaque(const Scene& scene, const PigmentTable& pigments)
   opaque_.assign(scene.textures.size(), false);
 }
 
-void TextureTable::evaluate(TextureId id, const TexturePoint& point, TextureSample& out) const {
-  out.clear();
-  evaluate(id, lookup_of(point), point.normal, 1, out);
-  for (SurfaceLayer& layer : out.layers) {
+void TextureTable::append(TextureId id, float weight, const TexturePoint& point,
+                          TextureSample& out) const {
+  std::size_t i = out.layers.size();
+  evaluate(id, lookup_of(point), point.normal, weight, out);
+  for (; i < out.layers.size(); ++i) {
+    SurfaceLayer& layer = out.layers[i];
     if (layer.normal == point.normal) continue;
     const double size = length(layer.normal);
     layer.normal = size > 0 && std::isfinite(size) ? layer.normal / size : point.normal;

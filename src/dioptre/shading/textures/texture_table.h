@@ -34,8 +34,9 @@ class TextureTable {
   /// Makes all textures of the scene ready. The table must not move afterwards.
   void compile(const Scene& scene, const TextureParts& parts, const PatternServices& services);
 
-  /// What a texture is at a point; no layers for no texture.
-  void evaluate(TextureId id, const TexturePoint& point, TextureSample& out) const;
+  /// Appends what a texture is at a point, as stacks whose weights sum to `weight`; nothing for no
+  /// texture.
+  void append(TextureId id, float weight, const TexturePoint& point, TextureSample& out) const;
   /// The share of light that passes; white for no texture.
   Color transmittance(TextureId id, const TexturePoint& point) const;
   /// True if the texture lets no light through anywhere. May be false where it could be true.
