@@ -39,9 +39,10 @@ Color Appel::surface(const Ray& ray, const Hit& hit, RayLog& log) const {
   const SurfaceInteraction at = see(scene_, ray, hit, sample);
   if (log.observer) log.observer->meet(hit, at, sample);
   Color radiance;
+  const MediaStack open;
   for (const TextureSample::Stack& stack : sample.stacks) {
     const Color share = Color{1, 1, 1} * stack.weight;
-    radiance += share * local_.at({at, sample, stack, ray.direction, share}, log);
+    radiance += share * local_.at({at, sample, stack, ray.direction, share, open}, log);
   }
   return radiance;
 }

@@ -74,10 +74,10 @@ DirectLight::DirectLight(const RenderScene& scene, const IntegratorOptions& opti
 
 /// A light that is projected through an object shines only where that is in between, and only what
 /// is on this side of it throws shadows (measured).
-Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
-                         const SurfaceInteraction& at, const Item*& blocker, RayLog& log) const {
+Color DirectLight::along(std::size_t number, Vec3 to_light, double distance, const LitPoint& point,
+                         const Item*& blocker, RayLog& log) const {
   const Light& light = lights_[number].light();
-  const Ray ray = spawn_ray(at, to_light);
+  const Ray ray = spawn_ray(point.at, to_light);
   if (light.projected_through) {
     Crossing crossing;
     if (!scene_.window(number)->nearest(ray, {0, distance}, crossing)) return {};
@@ -88,14 +88,14 @@ Color DirectLight::along(std::size_t number, Vec3 to_light, double distance,
   if (distance <= gap || light.shadowless) return {1, 1, 1};
   ++log.counts.shadow;
   const Interval range{gap, distance};
-  const Color visible = through(light, ray, range, blocker, log);
+  const Color visible = through(light, ray, range, blocker, point.around, log);
   if (log.observer) log.observer->shadow({number, ray, range, blocker, visible});
   return visible;
 }
 
 /// What all surfaces and media in the range leave of the light.
 Color DirectLight::through(const Light& light, const Ray& ray, Interval range, const Item*& blocker,
-                           RayLog& log) const {
+                           const MediaStack& around, RayLog& log) const {
   thread_local std::vector<Hit> hits;
   if (blocker) ++log.walks.items;  // is tested before the walk
   const auto reaches = [&] { return scene_.shadow_hits(ray, range, hits, blocker, log.walks); };
@@ -107,20 +107,21 @@ Color DirectLight::through(const Light& light, const Ray& ray, Interval range, c
   }
   const bool in_fog = light.media_attenuation && media_.any_fog();
   const bool in_solids = media_.any_fades() && !hits.empty();
-  return in_fog || in_solids ? through * media_.transmittance(ray, range, hits, in_fog) : through;
+  return in_fog || in_solids ? through * media_.transmittance(ray, range, hits, around, in_fog)
+                             : through;
 }
 
-Color DirectLight::to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
+Color DirectLight::to_point(std::size_t number, Vec3 light_position, const LitPoint& point,
                             const Item*& blocker, RayLog& log) const {
-  const Vec3 to_light = light_position - at.surface.position;
+  const Vec3 to_light = light_position - point.at.surface.position;
   const double distance = length(to_light);
-  return along(number, to_light / distance, distance, at, blocker, log);
+  return along(number, to_light / distance, distance, point, blocker, log);
 }
 
 /// The mean over samples of an area light's shape, one in each cell of the square that stands for
 /// it. Where in its cell a sample lies follows from the point that is lit.
-Color DirectLight::shape_mean(std::size_t number, const SurfaceInteraction& at, RayLog& log) const {
-  const Vec3 p = at.surface.position;
+Color DirectLight::shape_mean(std::size_t number, const LitPoint& point, RayLog& log) const {
+  const Vec3 p = point.at.surface.position;
   std::uint64_t place = number;
   for (const double v : {p.x, p.y, p.z}) place = mix_bits(place ^ std::bit_cast<std::uint64_t>(v));
   const auto random = [&](std::uint32_t cell, std::uint32_t dimension) {
@@ -135,24 +136,24 @@ Color DirectLight::shape_mean(std::size_t number, const SurfaceInteraction& at, 
     const double u = (cell % side + random(cell, 0)) / side;
     const double v = (cell / side + random(cell, 1)) / side;
     const Vec3 there = lights_[number].shape_point(penumbra_.shape, u, v, p);
-    sum += to_point(number, there, at, blocker, log);
+    sum += to_point(number, there, point, blocker, log);
   }
   return sum * (1.0f / static_cast<float>(side * side));
 }
 
 Color DirectLight::visibility(const LightSource& source, const Illumination& illumination,
-                              const SurfaceInteraction& at, RayLog& log) const {
+                              const LitPoint& point, RayLog& log) const {
   const Light& light = source.light();
   if ((light.shadowless && !light.projected_through) || !shadows_) return {1, 1, 1};
   const auto number = static_cast<std::size_t>(&source - lights_.data());
   // What hides one sample of an area light is likely to hide the next one too.
   const Item* blocker = nullptr;
   if (!light.is_area) {
-    return along(number, illumination.to_light, illumination.distance, at, blocker, log);
+    return along(number, illumination.to_light, illumination.distance, point, blocker, log);
   }
-  if (penumbra_.shape != LightShape::kGrid) return shape_mean(number, at, log);
+  if (penumbra_.shape != LightShape::kGrid) return shape_mean(number, point, log);
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
-    return to_point(number, source.sample(i, j, at.surface.position), at, blocker, log);
+    return to_point(number, source.sample(i, j, point.at.surface.position), point, blocker, log);
   };
   return GridMean(light.area, sample).mean();
 }

@@ -4,11 +4,18 @@
 #include <vector>
 
 #include "dioptre/integrators/integrator.h"
+#include "dioptre/integrators/media_stack.h"
 #include "dioptre/integrators/shadow_media.h"
 #include "dioptre/lights/light_source.h"
 #include "dioptre/render/render_scene.h"
 
 namespace dioptre {
+
+/// A point of a surface that light falls on.
+struct LitPoint {
+  const SurfaceInteraction& at;
+  const MediaStack& around;  ///< what the ray that sees it is in
+};
 
 /// The lights of a scene with their shadows.
 class DirectLight {
@@ -20,15 +27,15 @@ class DirectLight {
   /// The share of a light that reaches a surface point past everything in between; for an area
   /// light the mean over its samples.
   Color visibility(const LightSource& light, const Illumination& illumination,
-                   const SurfaceInteraction& at, RayLog& log) const;
+                   const LitPoint& point, RayLog& log) const;
 
  private:
-  Color shape_mean(std::size_t number, const SurfaceInteraction& at, RayLog& log) const;
+  Color shape_mean(std::size_t number, const LitPoint& point, RayLog& log) const;
   Color through(const Light& light, const Ray& ray, Interval range, const Item*& blocker,
-                RayLog& log) const;
-  Color to_point(std::size_t number, Vec3 light_position, const SurfaceInteraction& at,
+                const MediaStack& around, RayLog& log) const;
+  Color to_point(std::size_t number, Vec3 light_position, const LitPoint& point,
                  const Item*& blocker, RayLog& log) const;
-  Color along(std::size_t number, Vec3 to_light, double distance, const SurfaceInteraction& at,
+  Color along(std::size_t number, Vec3 to_light, double distance, const LitPoint& point,
               const Item*& blocker, RayLog& log) const;
 
   const RenderScene& scene_;

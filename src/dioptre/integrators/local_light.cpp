@@ -62,7 +62,7 @@ Color LocalLight::of_source(const LightSource& light, const SeenPoint& point, Ra
   }
   if (is_black(reflected.sum())) return {};
   const Color arriving =
-      illumination->intensity * direct_.visibility(light, *illumination, at, log);
+      illumination->intensity * direct_.visibility(light, *illumination, {at, point.around}, log);
   if (log.observer) {
     const Color share = point.share * arriving;
     log.observer->receive(LightTerm::kDiffuse, share * reflected.diffuse);

@@ -16,8 +16,9 @@ struct SeenPoint {
   const SurfaceInteraction& at;  ///< as see() gives it
   const TextureSample& sample;
   TextureSample::Stack stack;
-  Vec3 direction;  ///< of the ray, unit
-  Color share;     ///< of its light that counts for an observer
+  Vec3 direction;            ///< of the ray, unit
+  Color share;               ///< of its light that counts for an observer
+  const MediaStack& around;  ///< what the ray is in
   const SurfaceLayer& layer(std::uint32_t i) const { return sample.layers[stack.first + i]; }
 };
 

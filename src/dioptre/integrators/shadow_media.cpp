@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "dioptre/integrators/atmosphere.h"
-#include "dioptre/integrators/media_stack.h"
 #include "dioptre/shading/attenuation.h"
 
 namespace dioptre {
@@ -25,18 +24,6 @@ bool fades(const RenderScene& scene, const Item& item) {
   return false;
 }
 
-/// The solids around the start of a ray: those it leaves without having entered them.
-MediaStack around_start(const RenderScene& scene, std::span<const Hit> hits) {
-  MediaStack around, met;
-  for (const Hit& hit : hits) {
-    const MediaStack::Entry entry = MediaStack::entry(scene.part(hit), hit.item);
-    if (met.contains(entry) || !hit.item->shape->solid()) continue;
-    if (!hit.crossing.entering) around.enter(entry, hit.item->hollow);
-    met.enter(entry, false);
-  }
-  return around;
-}
-
 }  // namespace
 
 ShadowMedia::ShadowMedia(const RenderScene& scene) : scene_(scene) {
@@ -46,9 +33,8 @@ ShadowMedia::ShadowMedia(const RenderScene& scene) : scene_(scene) {
 }
 
 Color ShadowMedia::transmittance(const Ray& ray, Interval range, std::span<const Hit> hits,
-                                 bool in_fog) const {
+                                 MediaStack media, bool in_fog) const {
   Color through{1, 1, 1};
-  MediaStack media = around_start(scene_, hits);
   double last = 0;
   const auto pass_fog = [&](double end) {
     if (!in_fog || !media.in_atmosphere()) return;

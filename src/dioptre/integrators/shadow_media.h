@@ -5,6 +5,7 @@
 
 #include "dioptre/core/color.h"
 #include "dioptre/core/ray.h"
+#include "dioptre/integrators/media_stack.h"
 #include "dioptre/render/render_scene.h"
 
 namespace dioptre {
@@ -21,9 +22,11 @@ class ShadowMedia {
 
   /// The share of light left by what a ray is in, over the range of its length; of the fog only
   /// if `in_fog`. `hits` are the surfaces met (RenderScene::shadow_hits). A solid dims the light
-  /// where the ray leaves it, by the distance since the surface met last. Solids that the origin
-  /// lies in do not count, nor does a fade_power of 0 (measured).
-  Color transmittance(const Ray& ray, Interval range, std::span<const Hit> hits, bool in_fog) const;
+  /// where the ray leaves it, by the distance since the surface met last. The ray starts in what
+  /// the ray that sees its origin is in, whatever else is around; a fade_power of 0 does not dim
+  /// (measured).
+  Color transmittance(const Ray& ray, Interval range, std::span<const Hit> hits, MediaStack media,
+                      bool in_fog) const;
 
  private:
   const RenderScene& scene_;

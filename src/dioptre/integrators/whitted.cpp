@@ -169,7 +169,8 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
     Color next_through;
     for (std::size_t i = 0; i < sample.stacks.size(); ++i) {
       const TextureSample::Stack stack = sample.stacks[i];
-      const Vertex vertex{{at, sample, stack, path.ray.direction, reached * stack.weight}, path};
+      const Vertex vertex{
+          {at, sample, stack, path.ray.direction, reached * stack.weight, path.media}, path};
       Color transmitted = filter_of(sample, stack);
       const Passage passage = is_black(transmitted) || !reflections_
                                   ? Passage::kNone
