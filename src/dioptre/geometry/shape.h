@@ -11,6 +11,7 @@
 #include "dioptre/core/interval.h"
 #include "dioptre/core/ray.h"
 #include "dioptre/core/result.h"
+#include "dioptre/core/scalar_field.h"
 #include "dioptre/core/vec.h"
 
 namespace dioptre {
@@ -102,6 +103,9 @@ using ShapePtr = std::unique_ptr<const Shape>;
 struct ShapeOptions {
   /// The structure over the parts of those that have many (meshes).
   std::string accelerator = "bvh";
+  /// The functions that shapes are made of, which must outlive the shapes; without, those are
+  /// refused.
+  const ScalarFields* fields = nullptr;
 };
 
 }  // namespace dioptre
