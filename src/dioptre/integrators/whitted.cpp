@@ -235,7 +235,10 @@ Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) 
     if (!mirrors(layer)) continue;
     const double ior = ior_behind(scene_.scene(), part, vertex.path.media);
     const Color share = reflectance(layer, vertex.path.ray.direction, ior);
-    if (!is_black(share)) radiance += share * mirrored(vertex, layer.normal, share, scratch);
+    if (is_black(share)) continue;
+    const Color seen = mirrored(vertex, layer.normal, share, scratch);
+    radiance +=
+        share * (layer.finish->reflection_exponent == 1 ? seen : softened(*layer.finish, seen));
   }
   return radiance;
 }

@@ -78,6 +78,14 @@ Color reflectance(const SurfaceLayer& layer, Vec3 direction, double ior) {
   return share * metallic_tint(layer.pigment.color, finish.reflection_metallic, cosine);
 }
 
+Color softened(const Finish& finish, Color seen) {
+  const double power = 1 / finish.reflection_exponent;
+  const auto soft = [&](float v) {
+    return v > 0 ? static_cast<float>(std::pow(static_cast<double>(v), power)) : 0.0f;
+  };
+  return {soft(seen.r), soft(seen.g), soft(seen.b)};
+}
+
 double diffuse_term(const Finish& finish, double amount, double cosine) {
   const double brilliance = finish.brilliance;
   const double term = amount * (brilliance == 1 ? cosine : std::pow(cosine, brilliance));
@@ -91,8 +99,8 @@ double phong_term(const Finish& finish, double cosine) {
 }
 
 double specular_term(const Finish& finish, double cosine) {
-  if (!(cosine > 0) || finish.roughness == 0) return 0;
-  const double power = 1 / finish.roughness;
+  if (!(cosine > 0)) return 0;
+  const double power = finish.roughness == 0 ? 0 : 1 / finish.roughness;  // (measured)
   const double term = finish.specular * std::pow(cosine, power);
   return finish.specular_albedo ? term * (power + 2) / 8 : term;
 }

@@ -38,6 +38,9 @@ inline bool mirrors(const SurfaceLayer& layer) {
 /// refraction behind the surface over the one before it (for `fresnel`).
 Color reflectance(const SurfaceLayer& layer, Vec3 direction, double ior);
 
+/// Mirrored light as `exponent` changes it: to the power of its inverse (measured).
+Color softened(const Finish& finish, Color seen);
+
 /// The diffuse term of a finish for cos = N.L > 0: d cos^brilliance, times (brilliance + 1) / 2 if
 /// the amount is an albedo.
 double diffuse_term(const Finish& finish, double amount, double cosine);

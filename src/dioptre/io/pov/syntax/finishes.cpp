@@ -41,9 +41,7 @@ class FinishParser {
       case Keyword::kSpecular:
         return albedo_number(finish_.specular, finish_.specular_albedo);
       case Keyword::kRoughness:
-        number(finish_.roughness);
-        if (finish_.roughness == 0) parser_.warn("a roughness of 0 gives no highlight");
-        return true;
+        return number(finish_.roughness);
       case Keyword::kMetallic:
         return optional_number(finish_.metallic);
       default:
