@@ -42,8 +42,8 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   options.clock = frame_clock(s, frame);
   options.clock_delta = clock_delta(s);
   options.clock_on = is_animation(s);
-  options.initial_clock = s.initial_clock;
-  options.final_clock = s.final_clock;
+  options.initial_clock = is_animation(s) ? s.initial_clock : 0;
+  options.final_clock = is_animation(s) ? s.final_clock : 0;
   options.initial_frame = is_animation(s) ? s.initial_frame : 0;
   // Measured: a cyclic animation counts the frame that would be the first again.
   const std::int64_t last = std::int64_t{final_frame(s)} + (s.cyclic ? 1 : 0);

@@ -54,17 +54,24 @@ Symbol Interpreter::new_name(std::string_view what) {
   const Symbol name = raw_identifier(what);
   if (name >= kKeywordCount) return name;
   const auto k = static_cast<Keyword>(name);
-  if (keyword_begins_expression(k) || is_color_keyword(k)) {
+  const std::optional<double> variable = built_in_variable(k);
+  if (!variable && (keyword_begins_expression(k) || is_color_keyword(k))) {
     fail_at(where, "'" + symbols_.name(name) + "' is a reserved word: it cannot be declared",
             "give it another name");
   }
-  const bool reserved = k != Keyword::kAtand && k != Keyword::kSqr && k != Keyword::kCube;
-  if (reserved) {
+  const bool free =
+      k == Keyword::kAtand || k == Keyword::kSqr || k == Keyword::kCube || variable.has_value();
+  if (!free) {
     diagnostics_.report(diagnostic(
         Severity::kWarning, where,
         "'" + symbols_.name(name) + "' is a reserved word: from here on it is the scene's name"));
   }
   const Symbol fresh = symbols_.free_keyword(name);
+  if (variable) {
+    Binding& binding = scopes_.global(fresh);
+    binding.value = number(*variable);
+    binding.assigned = true;
+  }
   for (const auto& program : programs_) {
     for (Token& token : program->tokens) {
       if (token.is(k)) token.index = fresh;
@@ -145,9 +152,17 @@ void Interpreter::warn_deprecated(Binding& binding) {
 }
 
 void Interpreter::run_undef() {
+  const SourcePosition where = raw().position;
   const Symbol name = raw_identifier("the name to forget");
   ++effects_;
-  scopes_.undefine(name);
+  Binding* binding = raw().is('[') ? scopes_.find(name) : nullptr;
+  if (binding) {
+    Subscripts subscripts;
+    parse_subscripts(subscripts);
+    *locate(binding->value, subscripts, where, true) = {};
+  } else {
+    scopes_.undefine(name);
+  }
   if (raw().is(';')) skip_raw();
 }
 
@@ -172,8 +187,8 @@ Value Interpreter::parse_value(Symbol name) {
     }
   }
   if (at_string()) return std::make_shared<const std::string>(parse_string());
-  if (at_color_keyword()) return color_terms();
-  if (at_expression()) return sum();
+  if (at_color_keyword()) return stored(color_terms());
+  if (at_expression()) return stored(sum());
   if (DescribedPtr described = parse_described(*this)) return described;
   fail_expected("a value");
 }

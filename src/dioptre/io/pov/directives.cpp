@@ -150,6 +150,8 @@ void Interpreter::enter_file(const std::string& name, SourcePosition where) {
 
 void Interpreter::run_version() {
   const SourcePosition where = cursor_->position;
+  const Token& token = raw();
+  if (token.kind == Token::Kind::kName && symbols_.name(token.index) == "unofficial") skip_raw();
   const double wanted = parse_float();
   if (!(wanted >= 0 && wanted <= 3.85)) {
     fail_at(where,

@@ -280,8 +280,8 @@ std::shared_ptr<const Spline> Interpreter::parse_spline() {
     Spline::Knot knot;
     knot.at = parse_float();
     skip_comma();
-    const Numeric n = sum();
-    if (n.size == 1) fail("expected a vector as the value of the spline, found a number");
+    Numeric n = sum();
+    if (n.size == 1) n = promoted(n, 2);  // (measured)
     knot.value = promoted(n, 5).v;
     spline->size = std::max(spline->size, n.size);
     if (!std::isfinite(knot.at)) fail("a place of a spline is not finite");

@@ -68,7 +68,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"#debug substr(\"abc\",10,5)", "substr reaches outside the string"},
         Refused{"#debug chr(-1)", "chr needs a number from 0 to 65535"},
         Refused{"#debug str(sqrt(-1),0,0)", "sqrt of a negative number"},
-        Refused{"#declare A=vnormalize(<0,0,0>);", "vnormalize needs a vector that is not zero"},
         Refused{"#debug str(rand(3),0,0)", "rand needs a stream made by seed"},
         Refused{"#declare A=array[-5];", "an array needs at least one element"},
         Refused{"#declare A=array[5]; #debug str(A[1],0,0)", "has no value yet"}));

@@ -244,6 +244,9 @@ class Interpreter final : public Parser {
   bool keyword_begins_expression(Keyword k) const;
   bool value_is_numeric(const Value& value) const;
   Numeric keyword_value(Keyword k);
+  /// A variable of the clock or the picture. They are as the scene's own: it may declare them anew
+  /// (measured; not clock itself).
+  std::optional<double> built_in_variable(Keyword k) const;
   Numeric function_value(Keyword k);
   Numeric rotated_about_axis();
   double math(Keyword k, Step::Code code);

@@ -71,6 +71,29 @@ bool Interpreter::keyword_begins_expression(Keyword k) const {
   }
 }
 
+std::optional<double> Interpreter::built_in_variable(Keyword k) const {
+  switch (k) {
+    case Keyword::kClockDelta:
+      return options_.clock_delta;
+    case Keyword::kInitialClock:
+      return options_.initial_clock;
+    case Keyword::kFinalClock:
+      return options_.final_clock;
+    case Keyword::kInitialFrame:
+      return options_.initial_frame;
+    case Keyword::kFinalFrame:
+      return options_.final_frame;
+    case Keyword::kFrameNumber:
+      return options_.frame_number;
+    case Keyword::kImageWidth:
+      return options_.image_width;
+    case Keyword::kImageHeight:
+      return options_.image_height;
+    default:
+      return std::nullopt;
+  }
+}
+
 Numeric Interpreter::keyword_value(Keyword k) {
   const auto constant = [this](double v) {
     next();
@@ -108,30 +131,14 @@ Numeric Interpreter::keyword_value(Keyword k) {
       return constant(0);
     case Keyword::kClock:
       return constant(options_.clock);
-    case Keyword::kClockDelta:
-      return constant(options_.clock_delta);
     case Keyword::kClockOn:
       return constant(options_.clock_on);
-    case Keyword::kInitialClock:
-      return constant(options_.initial_clock);
-    case Keyword::kFinalClock:
-      return constant(options_.final_clock);
-    case Keyword::kInitialFrame:
-      return constant(options_.initial_frame);
-    case Keyword::kFinalFrame:
-      return constant(options_.final_frame);
-    case Keyword::kFrameNumber:
-      return constant(options_.frame_number);
-    case Keyword::kImageWidth:
-      return constant(options_.image_width);
-    case Keyword::kImageHeight:
-      return constant(options_.image_height);
     case Keyword::kVersion:
       return constant(version_);
     case Keyword::kNow:
       return constant(days_now());
     default:
-      break;
+      if (const auto v = built_in_variable(k)) return constant(*v);
   }
   if (!keyword_begins_expression(k)) {
     if (at_color_keyword()) return color_factor();
@@ -202,8 +209,7 @@ Numeric Interpreter::function_value(Keyword k) {
     case Keyword::kVnormalize: {
       const Vec3 a = vector_argument();
       const double size = length(a);
-      if (!(size > 0)) fail("vnormalize needs a vector that is not zero");
-      return vector3(a * (1 / size));
+      return vector3(size > 0 ? a * (1 / size) : a);
     }
     case Keyword::kVturbulence:
       return turbulence_vector();

@@ -156,7 +156,8 @@ std::string Interpreter::vector_string() {
     fail("the vector has " + std::to_string(n.size) + " components, more than the " +
          std::to_string(count) + " to be written");
   }
-  n = promoted(n, 5);
+  // A number is the first component here, not all of them (measured).
+  if (n.size > 1) n = promoted(n, 5);
   expect(',', "between the arguments");
   const std::string separator = parse_string();
   expect(',', "between the arguments");

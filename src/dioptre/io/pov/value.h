@@ -82,4 +82,12 @@ inline Numeric promoted(Numeric n, std::uint8_t size) {
   return n;
 }
 
+/// What a number becomes once it is kept under a name: five components are a colour, and colours
+/// are of single precision (measured).
+inline Numeric stored(Numeric n) {
+  if (n.size < 5) return n;
+  for (double& v : n.v) v = static_cast<float>(v);
+  return n;
+}
+
 }  // namespace dioptre::pov

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // image_map, bump_map, material_map and image_pattern.
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -30,7 +31,18 @@ constexpr FormatEndings kFormats[] = {
     {Keyword::kTga, 1, {".tga"}},           {Keyword::kTiff, 2, {".tif", ".tiff"}},
 };
 
+/// A function's value as a pixel of 16 bits: what is too large or negative wraps round as integers
+/// do, and what no integer of 32 bits holds is 0 (measured).
+float pixel_of(double value) {
+  constexpr double kSteps = 65535, kLimit = 0x1p31;
+  const double steps = std::trunc(kSteps * value);
+  if (!(std::abs(steps) < kLimit)) return 0;
+  const auto low_bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(steps)) & 0xffff;
+  return static_cast<float>(low_bits / kSteps);
+}
+
 /// Pixels from a function of the unit square, `function WIDTH, HEIGHT {...}`, the keyword taken.
+/// The first row has y = 0, and the last row and column are at 1 (measured).
 Shared<ImageData> parse_function_image(Parser& parser) {
   const auto width = parse_whole(parser, 1, kLargestSide);
   parser.skip_comma();
@@ -47,9 +59,9 @@ Shared<ImageData> parse_function_image(Parser& parser) {
   SceneQueries& queries = parser.queries();
   for (std::int64_t row = 0; row < height; ++row) {
     for (std::int64_t column = 0; column < width; ++column) {
-      const double place[] = {static_cast<double>(column) / static_cast<double>(width),
-                              1 - static_cast<double>(row + 1) / static_cast<double>(height), 0};
-      data.pixels.push_back(static_cast<float>(queries.call(parser.scene(), function, place)));
+      const double place[] = {static_cast<double>(column) / static_cast<double>(width - 1),
+                              static_cast<double>(row) / static_cast<double>(height - 1), 0};
+      data.pixels.push_back(pixel_of(queries.call(parser.scene(), function, place)));
     }
   }
   return data;

@@ -38,6 +38,7 @@ bool begins_object(Keyword keyword) {
     case Keyword::kCubic:
     case Keyword::kQuartic:
     case Keyword::kPoly:
+    case Keyword::kPolynomial:
     case Keyword::kTriangle:
     case Keyword::kSmoothTriangle:
     case Keyword::kMesh:

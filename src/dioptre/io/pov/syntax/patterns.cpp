@@ -57,12 +57,13 @@ Slope parse_slope(Parser& parser) {
     high = parser.parse_float();
   };
   slope.direction = parser.parse_vec3();
+  if (!braces) return slope;  // a comma is the caller's: the depth of a normal (measured)
   range(slope.slope_low, slope.slope_high);
   if (parser.accept(Keyword::kAltitude)) {
     slope.altitude = parser.parse_vec3();
     range(slope.altitude_low, slope.altitude_high);
   }
-  if (braces) parser.expect('}', "after the slope");
+  parser.expect('}', "after the slope");
   return slope;
 }
 

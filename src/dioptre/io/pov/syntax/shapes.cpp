@@ -116,6 +116,41 @@ Poly parse_poly(Parser& parser, SourcePosition where) {
   return parse_coefficients(parser, static_cast<std::uint32_t>(order));
 }
 
+/// The exponents of x, y and z within `xyz(...)`, as the place of their coefficient in a poly.
+std::size_t parse_exponents(Parser& parser, std::uint32_t order) {
+  const SourcePosition where = parser.position();
+  double exponents[3];
+  parser.expect('(', "after xyz");
+  for (double& e : exponents) e = std::trunc(float_and_comma(parser));
+  parser.expect(')', "after three exponents");
+  const auto [x, y, z] = exponents;
+  if (!(x >= 0 && y >= 0 && z >= 0 && x + y + z <= order)) {
+    parser.fail_at(where, "the exponents of a term must not be negative, nor sum up to more than " +
+                              std::to_string(order));
+  }
+  // Those behind it in the order of poly: with less of x, then less of y, then less of z.
+  const auto rest = static_cast<std::size_t>(order - x), last = static_cast<std::size_t>(rest - y);
+  return rest * (rest + 1) * (rest + 2) / 6 + last * (last + 1) / 2 +
+         static_cast<std::size_t>(last - z);
+}
+
+/// `polynomial { ORDER, xyz(X, Y, Z): COEFFICIENT, ... }`: a poly by its terms.
+Poly parse_polynomial(Parser& parser, SourcePosition where) {
+  const double order = float_and_comma(parser);
+  if (!(order >= 2 && order < 36)) {
+    parser.fail_at(where, "the order of a polynomial must be from 2 to 35");
+  }
+  Poly poly;
+  poly.order = static_cast<std::uint32_t>(order);
+  poly.coefficients.resize((poly.order + 1) * (poly.order + 2) * (poly.order + 3) / 6);
+  while (parser.accept(Keyword::kXyz)) {
+    const std::size_t place = parse_exponents(parser, poly.order);
+    parser.expect(':', "after the exponents of a term");
+    poly.coefficients[place] = float_and_comma(parser);
+  }
+  return poly;
+}
+
 bool is_degenerate(const Triangle& t) { return cross(t.b - t.a, t.c - t.a) == Vec3{}; }
 
 /// A degenerate triangle is left out with a warning.
@@ -168,6 +203,8 @@ bool parse_shape(Parser& parser, Keyword keyword, Item& item) {
       return set(parse_coefficients(parser, 4));
     case Keyword::kPoly:
       return set(parse_poly(parser, where));
+    case Keyword::kPolynomial:
+      return set(parse_polynomial(parser, where));
     case Keyword::kTriangle:
       return set(parse_triangle(parser, false, item.drawn));
     case Keyword::kSmoothTriangle:

@@ -71,22 +71,22 @@ Affine parse_transform_block(Parser& parser) {
   const Parser::Nesting nesting(parser);
   parser.expect('{', "after transform");
   Affine all;
-  for (;;) {
-    if (parser.accept('}')) return all;
+  bool inverted = false;  // wherever it stands and however often: the whole is inverted (measured)
+  while (!parser.accept('}')) {
     if (const auto map = take<Affine>(parser)) {
       all = then(all, *map);
     } else if (parser.accept(Keyword::kInverse)) {
-      if (const std::optional<Affine> undone = inverse(all)) {
-        all = *undone;
-      } else {
-        parser.fail("the transformation has no inverse");
-      }
+      inverted = true;
     } else if (const auto map = parse_transforms(parser)) {
       all = then(all, *map);
     } else {
       parser.fail_expected("a transformation or '}'");
     }
   }
+  if (!inverted) return all;
+  const std::optional<Affine> undone = inverse(all);
+  if (!undone) parser.fail("the transformation has no inverse");
+  return *undone;
 }
 
 }  // namespace dioptre::pov
