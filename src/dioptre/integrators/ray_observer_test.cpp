@@ -53,12 +53,14 @@ Scene glass_in_mist() {
   Finish shiny;
   shiny.phong = 0.5;
   shiny.reflection_min = shiny.reflection_max = {0.4f, 0.4f, 0.4f};
+  Finish soft = shiny;
+  soft.reflection_exponent = 0.5;
   Object ball, floor;
   ball.geometry = Sphere{{0, 1, 0}, 1};
   ball.texture = texture(scene, {{1, 0.3f, 0.2f}, 0.5f, 0.2f}, shiny);
   ball.interior = append(scene.interiors, Interior{.ior = 1.5, .has_ior = true});
   floor.geometry = Plane{{0, 1, 0}, 0};
-  floor.texture = texture(scene, {{0.7f, 0.8f, 1}}, shiny);
+  floor.texture = texture(scene, {{0.7f, 0.8f, 1}}, soft);
   scene.roots.push_back(append(scene.objects, ball));
   scene.roots.push_back(append(scene.objects, floor));
   scene.lights.push_back({.location = {4, 8, -5}});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "dioptre/integrators/atmosphere.h"
 #include "dioptre/integrators/spawn.h"
@@ -55,6 +56,13 @@ double ior_behind(const Scene& scene, const Part& part, const MediaStack& media)
     beyond.enter(entry, false);
   }
   return ior_of(scene, beyond.top()) / ior_of(scene, media.top());
+}
+
+/// What the exponent of a mirror makes of light, as a factor of each channel.
+Color gain(const Finish& finish, Color light) {
+  const Color soft = softened(finish, light);
+  const auto ratio = [](float after, float before) { return before > 0 ? after / before : 0; };
+  return {ratio(soft.r, light.r), ratio(soft.g, light.g), ratio(soft.b, light.b)};
 }
 
 /// The rays of one path, each begun within the one before it: told to have ended when it is done.
@@ -235,30 +243,43 @@ Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) 
     if (!mirrors(layer)) continue;
     const double ior = ior_behind(scene_.scene(), part, vertex.path.media);
     const Color share = reflectance(layer, vertex.path.ray.direction, ior);
-    if (is_black(share)) continue;
-    const Color seen = mirrored(vertex, layer.normal, share, scratch);
-    radiance +=
-        share * (layer.finish->reflection_exponent == 1 ? seen : softened(*layer.finish, seen));
+    if (!is_black(share)) radiance += mirrored(vertex, layer, share, scratch);
   }
   return radiance;
 }
 
-/// What a surface mirrors at a normal; black where the ray would count for too little.
-Color Whitted::mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const {
+/// What a mirror sends back: its share of the light that it sees, changed by the finish's exponent;
+/// black where the ray would count for too little.
+Color Whitted::mirrored(const Vertex& vertex, const SurfaceLayer& layer, Color share,
+                        Scratch& scratch) const {
   const Path& path = vertex.path;
   Path mirrored = path;
   mirrored.weight = path.weight * (share * vertex.stack.weight);
   if (!may_spawn(mirrored.weight, path.level)) return {};
-  mirrored.ray = spawn_ray(
-      vertex.at, mirror_direction(path.ray.direction, normal, vertex.at.surface.shading_normal));
+  const Vec3 normal = vertex.at.surface.shading_normal;
+  mirrored.ray = spawn_ray(vertex.at, mirror_direction(path.ray.direction, layer.normal, normal));
   mirrored.level = path.level + 1;
   mirrored.attenuation = attenuation_.reflected;
   mirrored.purpose = RayPurpose::kReflection;
+  const bool soft = layer.finish->reflection_exponent != 1;
+  Color told = share;
+  if (soft && scratch.log->observer) told *= gain(*layer.finish, seen(mirrored, scratch));
   ++scratch.log->counts.reflected;
-  begin(RayKind::kReflected, mirrored, vertex.share * share, scratch.log->observer);
+  begin(RayKind::kReflected, mirrored, vertex.share * told, scratch.log->observer);
   ++scratch.depth;
   const Color radiance = trace(mirrored, scratch).color;
   --scratch.depth;
+  return share * (soft ? softened(*layer.finish, radiance) : radiance);
+}
+
+/// The light along a path, looked at without telling the observer.
+Color Whitted::seen(Path path, Scratch& scratch) const {
+  RayLog unwatched;
+  RayLog* const log = std::exchange(scratch.log, &unwatched);
+  ++scratch.depth;
+  const Color radiance = trace(path, scratch).color;
+  --scratch.depth;
+  scratch.log = log;
   return radiance;
 }
 

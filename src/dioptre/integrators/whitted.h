@@ -43,7 +43,9 @@ class Whitted final : public RayIntegrator {
   Passage transmit(const Vertex& vertex, const Hit& hit, Color& transmitted, Path& next) const;
   Color left_by_mirrors(const Vertex& vertex) const;
   Color shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) const;
-  Color mirrored(const Vertex& vertex, Vec3 normal, Color share, Scratch& scratch) const;
+  Color mirrored(const Vertex& vertex, const SurfaceLayer& layer, Color share,
+                 Scratch& scratch) const;
+  Color seen(Path path, Scratch& scratch) const;
   Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;
 
