@@ -32,6 +32,7 @@ struct Finish {
   double irid_thickness = 0;
   double irid_turbulence = 0;
   bool use_irid = false;
+  double ior = 0;  ///< of what wears it, as old files give it; 0: not given
   bool operator==(const Finish&) const = default;
 
   template <class Self, class Visitor>
@@ -61,6 +62,7 @@ struct Finish {
     visit("irid_thickness", self.irid_thickness);
     visit("irid_turbulence", self.irid_turbulence);
     visit("use_irid", self.use_irid);
+    visit("ior", self.ior);
   }
 };
 

@@ -74,10 +74,13 @@ class FinishParser {
     }
   }
 
-  /// Properties that have moved to interior.
+  /// Properties that have moved to interior. Of these ior still counts (measured).
   bool parse_old() {
     switch (keyword_at(parser_)) {
       case Keyword::kIor:
+        number(finish_.ior);
+        parser_.warn("'ior' has moved from finish to interior");
+        return true;
       case Keyword::kRefraction:
       case Keyword::kCaustics:
       case Keyword::kFadeDistance:

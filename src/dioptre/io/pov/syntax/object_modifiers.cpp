@@ -16,6 +16,7 @@ class Modifiers {
       if (parser_.accept(',') || parse_placement() || parse_look() || parse_flag()) continue;
       parser_.fail_expected("an object modifier or '}'");
     }
+    take_ior_of_finish();
   }
 
  private:
@@ -177,6 +178,19 @@ class Modifiers {
   }
 
   /// An old spelling: a colour right in an object is for quick renders.
+  /// An ior in the finish of the top layer stands for one in the interior (measured).
+  void take_ior_of_finish() {
+    if (!object_.texture) return;
+    const auto* layers =
+        std::get_if<LayeredTexture>(&at(parser_.scene().textures, object_.texture).data);
+    if (!layers || layers->layers.empty() || layers->layers.back().finish.ior == 0) return;
+    Interior interior;
+    if (object_.interior) interior = at(parser_.scene().interiors, object_.interior);
+    interior.ior = layers->layers.back().finish.ior;
+    interior.has_ior = true;
+    object_.interior = append(parser_.scene().interiors, interior);
+  }
+
   bool quick_colors() {
     if (!parser_.accept(Keyword::kColor) && !parser_.accept(Keyword::kColour)) return false;
     parser_.parse_color();

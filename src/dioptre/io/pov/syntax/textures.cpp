@@ -20,20 +20,38 @@ void settle(Texture& texture) {
   texture.transform = {};
 }
 
-/// `pigment`, `normal` or `finish`, the keyword taken. A normal that is new is not moved by what
-/// has moved the pigment.
+/// Before a normal that is new: it is not moved by what has moved the pigment.
+void settle_pigment(Parser& parser, TextureLayer& layer) {
+  if (layer.normal || layer.transform == Affine{}) return;
+  if (layer.pigment) layer.pigment = transformed(parser, layer.pigment, layer.transform);
+  layer.transform = {};
+}
+
+/// `pigment`, `normal` or `finish`, the keyword taken.
 void change_layer(Parser& parser, Keyword keyword, TextureLayer& layer) {
   if (keyword == Keyword::kPigment) {
     layer.pigment = parse_pigment(parser, layer.pigment);
   } else if (keyword == Keyword::kFinish) {
     layer.finish = parse_finish(parser, layer.finish);
   } else {
-    if (!layer.normal && layer.transform != Affine{}) {
-      if (layer.pigment) layer.pigment = transformed(parser, layer.pigment, layer.transform);
-      layer.transform = {};
-    }
+    settle_pigment(parser, layer);
     layer.normal = parse_normal(parser, layer.normal);
   }
+}
+
+/// The name of a pigment, normal or finish, which stands for the whole of it.
+bool change_layer_by_name(Parser& parser, TextureLayer& layer) {
+  if (const auto pigment = take<PigmentId>(parser)) {
+    layer.pigment = *pigment;
+  } else if (const auto finish = take<Finish>(parser)) {
+    layer.finish = *finish;
+  } else if (const auto normal = take<NormalId>(parser)) {
+    settle_pigment(parser, layer);
+    layer.normal = *normal;
+  } else {
+    return false;
+  }
+  return true;
 }
 
 /// Reads the contents of one texture.
@@ -96,7 +114,8 @@ class TextureParser {
         uv_ = parser_.parse_flag();
         return true;
       default:
-        return parse_pattern();
+        return (kind_ == Kind::kLayers && change_layer_by_name(parser_, layer())) ||
+               parse_pattern();
     }
   }
 
