@@ -44,7 +44,7 @@ superellipsoid { <.4,.6> }
 superellipsoid { <1.5,.3> scale .7 translate -x } superellipsoid { <.2,2> scale .7 translate x }
 // -- blob
 blob { threshold .5 sphere { <-.5,0,0>, 1.2, 1 } sphere { <.7,.2,0>, 1, strength 1.2 } cylinder { <0,-1,0>, <0,1,0>, .6, .8 } hierarchy off sturm }
-// -- blob of textures (parses)
+// -- blob of textures
 blob { threshold .5 sphere { <-.5,0,0>, 1.2, 1 pigment { rgb x } } sphere { <.7,.2,0>, 1, 1.2 pigment { rgb y } scale <1,1.3,1> } component .8, 1, <0,-1,0> }
 // -- lathe
 lathe { linear_spline 5, <0,-1>, <1,-1>, <.5,0>, <.9,.8>, <0,1> }
@@ -82,12 +82,12 @@ bicubic_patch { type 1 flatness .01 u_steps 4 v_steps 4 <-1,0,-1>, <-.3,.7,-1>, 
 bicubic_patch { type 0 flatness 0 u_steps 3 v_steps 3 <-1,0,-1>, <-.3,.7,-1>, <.3,0,-1>, <1,.3,-1>, <-1,.3,-.3>, <-.3,1,-.3>, <.3,0,-.3>, <1,0,-.3>, <-1,0,.3>, <-.3,0,.3>, <.3,.8,.3>, <1,0,.3>, <-1,.5,1>, <-.3,0,1>, <.3,0,1>, <1,.6,1> }
 // -- mesh
 mesh { triangle { <-1,-1,0>, <1,-1,0>, <0,1,0> } smooth_triangle { <1,-1,0>, <0,0,-1>, <2,0,0>, <1,0,-1>, <0,1,0>, <0,1,-1> } inside_vector z }
-// -- mesh of textures (parses)
+// -- mesh of textures
 #declare R = texture { pigment { rgb x } } #declare G = texture { pigment { rgb y } }
 mesh { triangle { <-1,-1,0>, <1,-1,0>, <0,1,0> texture { R } } triangle { <1,-1,0>, <2,0,0>, <0,1,0> texture_list { R G R } } hierarchy off }
 // -- mesh2
 mesh2 { vertex_vectors { 4, <-1,-1,0>, <1,-1,0>, <1,1,.5>, <-1,1,0> } face_indices { 2, <0,1,2>, <0,2,3> } }
-// -- mesh2 of normals, textures and mapping (parses)
+// -- mesh2 of normals, textures and mapping
 mesh2 { vertex_vectors { 4, <-1,-1,0>, <1,-1,0>, <1,1,.5>, <-1,1,0> } normal_vectors { 4, <-1,0,-1>, <1,0,-1>, <1,1,-1>, <-1,1,-1> } uv_vectors { 4, <0,0>, <1,0>, <1,1>, <0,1> }
 texture_list { 2, texture { uv_mapping pigment { checker rgb 1 rgb x scale .25 } } texture { pigment { rgb y } } } face_indices { 2, <0,1,2>, 0, <0,2,3>, 1, 0, 0 } normal_indices { 2, <0,1,2>, <0,2,3> } uv_indices { 2, <0,1,2>, <0,2,3> } inside_vector z }
 // -- height_field of a function
