@@ -227,6 +227,15 @@ TEST(Frames, ThereIsAlwaysOne) {
       {{"+KFI8", "+KFF12", "+EF4"}, 8, 8, "a08.png"},
       {{"+KFI8", "+KFF12", "+SF7"}, 8, 12, "a08.png"},
       {{"+KFI8", "+KFF12", "+SF9", "+EF20"}, 9, 20, "a09.png"},
+      {{"+KFF10", "+SF0.3", "+EF0.5"}, 3, 5, "a03.png"},
+      {{"+KFF10", "+SF0.75"}, 7, 10, "a07.png"},
+      {{"+KFF10", "+EF0.05"}, 1, 1, "a01.png"},
+      {{"+KFF10", "+EF0"}, 1, 1, "a01.png"},
+      {{"+KFF10", "+SF-1"}, 1, 10, "a01.png"},
+      {{"+KFI5", "+KFF14", "+SF0.75"}, 7, 14, "a07.png"},
+      {{"+KFI5", "+KFF14", "+EF0.25"}, 5, 5, "a05.png"},
+      {{"+KFI2.9", "+KFF4.5"}, 2, 4, "a2.png"},
+      {{"+KFI-2", "+KFF2"}, 0, 2, "a0.png"},
   };
   for (const Case& c : cases) {
     std::vector<std::string> words = c.words;

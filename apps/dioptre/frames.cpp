@@ -38,11 +38,12 @@ bool is_device(const std::filesystem::path& path) {
          type == Type::socket;
 }
 
-/// A bound of the subset: a share of all frames if under 1.
+/// A bound of the subset; if under 1 a share of how many frames there are, wherever they begin
+/// (measured).
 std::int64_t subset_frame(const AppSettings& s, double bound) {
-  if (bound >= 1) return static_cast<std::int64_t>(bound);
   const double frames = static_cast<double>(final_frame(s)) - s.initial_frame + 1;
-  return s.initial_frame + static_cast<std::int64_t>(std::floor(bound * frames));
+  const double frame = std::floor(bound < 1 ? bound * frames : bound);
+  return static_cast<std::int64_t>(std::max<double>(frame, s.initial_frame));
 }
 
 }  // namespace
@@ -62,10 +63,9 @@ double clock_delta(const AppSettings& settings) {
 
 FrameRange frame_range(const AppSettings& s) {
   if (!is_animation(s)) return {0, 0, 1};
-  const std::int64_t first = s.subset_start > 0 ? subset_frame(s, s.subset_start) : s.initial_frame;
-  const std::int64_t last = s.subset_end > 0 ? subset_frame(s, s.subset_end) : final_frame(s);
-  const std::int64_t begin = std::max<std::int64_t>(first, s.initial_frame);
-  return {begin, std::max(begin, last), s.frame_step};
+  const std::int64_t first = subset_frame(s, s.subset_start);
+  const std::int64_t last = s.subset_end ? subset_frame(s, *s.subset_end) : final_frame(s);
+  return {first, std::max(first, last), s.frame_step};
 }
 
 double frame_clock(const AppSettings& settings, std::int64_t number) {

@@ -41,7 +41,7 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
   options.image_height = s.height;
   options.clock = frame_clock(s, frame);
   options.clock_delta = clock_delta(s);
-  options.clock_on = is_animation(s);
+  options.clock_on = is_animation(s) || s.clock_given;  // (measured)
   options.initial_clock = is_animation(s) ? s.initial_clock : 0;
   options.final_clock = is_animation(s) ? s.final_clock : 0;
   options.initial_frame = is_animation(s) ? s.initial_frame : 0;

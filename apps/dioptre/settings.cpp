@@ -59,6 +59,24 @@ Result<void> text(AppSettings& settings, Value value) {
   return {};
 }
 
+/// The number of a frame: its whole part, and `least` for what is less (measured).
+template <std::int32_t least, auto member>
+Result<void> frame(AppSettings& settings, Value text) {
+  double value = 0;
+  if (auto read = read_number(text, -1e300, INT32_MAX, value); !read) return read;
+  settings.*member = static_cast<std::int32_t>(std::fmax(std::trunc(value), least));
+  return {};
+}
+
+Result<void> clock(AppSettings& settings, Value text) {
+  settings.clock_given = true;
+  return read_number(text, -1e300, 1e300, settings.clock);
+}
+
+Result<void> subset_end(AppSettings& settings, Value text) {
+  return read_number(text, -1e300, INT32_MAX, settings.subset_end.emplace());
+}
+
 /// Shell commands in a file from a stranger must not run.
 Result<void> refuse_command(AppSettings&, Value) {
   return fail("shell commands are not run; remove the line");
@@ -194,7 +212,7 @@ const Option kOptions[] = {
     {"Antialias_Threshold", number<0.0, 3.0, &S::antialias_threshold>},
     {"Attenuation", attenuation},
     {"Bits_Per_Color", whole<1.0, 16.0, &S::bits>},
-    {"Clock", number<-1e300, 1e300, &S::clock>},
+    {"Clock", clock},
     {"Compared_Rays", whole<1.0, 100e6, &S::compared_rays>},
     {"Compression", whole<0.0, 100.0, &S::compression>},
     {"Cyclic_Animation", flag<&S::cyclic>},
@@ -207,13 +225,13 @@ const Option kOptions[] = {
     {"Fatal_Error_Command", refuse_command},
     {"File_Gamma", file_gamma},
     {"Final_Clock", number<-1e300, 1e300, &S::final_clock>},
-    {"Final_Frame", whole<-1.0, kBig, &S::final_frame>},
+    {"Final_Frame", frame<0, &S::final_frame>},
     {"Frame_Step", whole<1.0, kBig, &S::frame_step>},
     {"Heatmap", layers<&S::heat_maps>},
     {"Height", whole<1.0, kBig, &S::height>},
     {"Include_Header", text<&S::include_header>},
     {"Initial_Clock", number<-1e300, 1e300, &S::initial_clock>},
-    {"Initial_Frame", whole<0.0, kBig, &S::initial_frame>},
+    {"Initial_Frame", frame<0, &S::initial_frame>},
     {"Input_File_Name", text<&S::input>},
     {"Integrator", text<&S::integrator>},
     {"Jitter", flag<&S::jitter>},
@@ -249,8 +267,8 @@ const Option kOptions[] = {
     {"Shadows", flag<&S::shadows>},
     {"Start_Column", number<0.0, kBig, &S::start_column>},
     {"Start_Row", number<0.0, kBig, &S::start_row>},
-    {"Subset_End_Frame", number<0.0, kBig, &S::subset_end>},
-    {"Subset_Start_Frame", number<0.0, kBig, &S::subset_start>},
+    {"Subset_End_Frame", subset_end},
+    {"Subset_Start_Frame", number<-1e300, kBig, &S::subset_start>},
     {"Terms", flag<&S::term_images>},
     {"User_Abort_Command", refuse_command},
     {"Verbose", flag<&S::verbose>},

@@ -50,11 +50,11 @@ struct AppSettings {
 
   std::uint32_t quality = 9;
   std::uint32_t threads = 0;
-  std::string accelerator = "bvh";   ///< for compare several, with commas in between
+  std::string accelerator = "bvh";        ///< for compare several, with commas in between
   std::uint32_t compared_rays = 100'000;  ///< of each sort, about
-  bool accelerator_is_named = false;  ///< not the default
+  bool accelerator_is_named = false;      ///< not the default
   std::string integrator = "whitted";
-  std::optional<PolygonTest> polygon_test;  ///< the scene's own, if not given
+  std::optional<PolygonTest> polygon_test;            ///< the scene's own, if not given
   std::optional<std::array<std::uint32_t, 2>> pixel;  ///< to explain: column and row, from 0
   LightShape penumbra = LightShape::kGrid;
   std::uint32_t light_samples = 64;
@@ -62,10 +62,12 @@ struct AppSettings {
   double reflected_attenuation = 0, transmitted_attenuation = 0;  ///< see LengthAttenuation
 
   double clock = 0;
+  bool clock_given = false;
   std::int32_t initial_frame = 1;
   std::int32_t final_frame = -1;  ///< 0: no animation; -1: none unless it begins after frame 1
   double initial_clock = 0, final_clock = 1;
-  double subset_start = 0, subset_end = 0;  ///< under 1 a share of the frames; 0: all
+  double subset_start = 0;           ///< under 1 a share of the frames
+  std::optional<double> subset_end;  ///< likewise; none: the last
   std::int32_t frame_step = 1;
   bool cyclic = false;
 
