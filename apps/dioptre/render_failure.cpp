@@ -12,7 +12,9 @@ namespace {
 /// The first primitive that cannot be prepared for this reason, or else the first whole that cannot
 /// be built; none if there is no such.
 ObjectId culprit(const Scene& scene, const std::string& message) {
-  PreparedShapes shapes(scene);
+  const auto textures = TextureEvaluator::compile(scene, nullptr);
+  if (!textures) return {};
+  PreparedShapes shapes(scene, (*textures)->fields());
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
     if (!std::holds_alternative<ShapeData>(scene.objects[i].geometry)) continue;
     const auto shape = shapes.shape(ObjectId{i});

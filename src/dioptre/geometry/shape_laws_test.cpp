@@ -15,7 +15,7 @@ namespace {
 
 class ShapeLaws : public testing::TestWithParam<ShapeSample> {
  protected:
-  ShapePtr shape_ = prepare(GetParam().data).value();
+  ShapePtr shape_ = prepare_with(sample_options(), GetParam().data).value();
   Bounds box_ = finite_part(shape_->bounds());
   double size_ = 0.5 * max_component(box_.extent());
   std::mt19937_64 random_{11};

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "dioptre/core/expression_eval.h"
+
 namespace dioptre {
 namespace {
 
@@ -90,6 +92,83 @@ Text text() {
   t.text = "a8";
   t.thickness = 0.4;
   return t;
+}
+
+/// A field by one formula for numbers and for jets.
+template <class Formula>
+class FormulaField final : public ScalarField {
+ public:
+  double value(std::span<const double> a) const override { return Formula::of(a[0], a[1], a[2]); }
+  IntervalJet range(std::span<const IntervalJet> a) const override {
+    return Formula::of(a[0], a[1], a[2]);
+  }
+};
+
+template <class T>
+T apply(Step::Code code, const T& a, const T& b) {
+  return evaluate_operator(code, a, b);
+}
+template <class T>
+T sum_of_squares(const T& x, const T& y, const T& z) {
+  constexpr auto kTimes = Step::Code::kMultiply, kPlus = Step::Code::kAdd;
+  return apply(kPlus, apply(kPlus, apply(kTimes, x, x), apply(kTimes, y, y)), apply(kTimes, z, z));
+}
+
+struct BallFormula {
+  template <class T>
+  static T of(const T& x, const T& y, const T& z) {
+    return apply(Step::Code::kSqrt, sum_of_squares(x, y, z), x);
+  }
+};
+struct WavesFormula {
+  template <class T>
+  static T of(const T& x, const T& y, const T& z) {
+    const T waves = apply(Step::Code::kSin, apply(Step::Code::kMultiply, x, z), x);
+    return apply(Step::Code::kAdd, waves,
+                 apply(Step::Code::kSin, apply(Step::Code::kAdd, y, y), y));
+  }
+};
+struct UnknownFormula {
+  static double of(double x, double y, double z) { return BallFormula::of(x, y, z); }
+  static IntervalJet of(const IntervalJet&, const IntervalJet&, const IntervalJet&) {
+    return IntervalJet::everything();
+  }
+};
+
+class SampleFields final : public ScalarFields {
+ public:
+  std::unique_ptr<const ScalarField> field(Id<Function> function) const override {
+    switch (function.index) {
+      case 0:
+        return std::make_unique<FormulaField<BallFormula>>();
+      case 1:
+        return std::make_unique<FormulaField<WavesFormula>>();
+      case 2:
+        return std::make_unique<FormulaField<UnknownFormula>>();
+      default:
+        return nullptr;
+    }
+  }
+};
+
+Isosurface isosurface(std::uint32_t function, double threshold, double size) {
+  Isosurface iso;
+  iso.function = {function};
+  iso.threshold = threshold;
+  iso.accuracy = 1e-6;
+  iso.container = {false, {-size, -size, -size}, {size, size, size}, {}, 0};
+  return iso;
+}
+
+void add_isosurfaces(std::vector<ShapeSample>& all) {
+  all.push_back({"IsosurfaceBall", isosurface(0, 0.9, 1), true});
+  all.push_back({"CappedIsosurface", isosurface(0, 1.2, 1), true});
+  all.push_back({"IsosurfaceOfWaves", isosurface(1, 0.3, 3)});
+  all.push_back({"IsosurfaceWithoutBounds", isosurface(2, 0.9, 1)});
+  Isosurface open = isosurface(1, 0.3, 3);
+  open.container = {true, {}, {}, {0.5, 0, 0}, 3};
+  open.open = true;
+  all.push_back({"OpenIsosurface", open});
 }
 
 void add_convex(std::vector<ShapeSample>& all) {
@@ -222,7 +301,14 @@ std::vector<ShapeSample> shape_samples() {
   add_convex(all);
   add_quartics(all);
   add_others(all);
+  add_isosurfaces(all);
   return all;
+}
+
+const ShapeOptions& sample_options() {
+  static const SampleFields fields;
+  static const ShapeOptions options{.fields = &fields};
+  return options;
 }
 
 }  // namespace dioptre

@@ -18,4 +18,7 @@ struct ShapeSample {
 /// At least one for each alternative of ShapeData.
 std::vector<ShapeSample> shape_samples();
 
+/// How the samples are prepared: with fields that some of them are made of.
+const ShapeOptions& sample_options();
+
 }  // namespace dioptre

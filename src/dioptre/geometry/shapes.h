@@ -9,6 +9,7 @@
 #include "dioptre/geometry/cylinder/cylinder.h"
 #include "dioptre/geometry/disc/disc.h"
 #include "dioptre/geometry/height_field/height_field.h"
+#include "dioptre/geometry/isosurface/isosurface.h"
 #include "dioptre/geometry/lathe/lathe.h"
 #include "dioptre/geometry/mesh/mesh.h"
 #include "dioptre/geometry/ovus/ovus.h"
@@ -31,7 +32,7 @@ namespace dioptre {
 /// the compiler then know it.
 using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly,
                                Triangle, Mesh, Polygon, Prism, Blob, Text, Superellipsoid, Lathe,
-                               Sor, SphereSweep, Ovus, HeightField>;
+                               Sor, SphereSweep, Ovus, HeightField, Isosurface>;
 
 /// Prepares whichever primitive it is; those that have a `prepare` with options are told them.
 inline Result<ShapePtr> prepare_with(const ShapeOptions& options, const ShapeData& data) {

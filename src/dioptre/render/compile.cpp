@@ -24,7 +24,7 @@ class Compiler {
   Compiler(const Scene& scene, const CompileOptions& options, RenderScene& out)
       : scene_(scene),
         out_(out),
-        shapes_(scene, options.accelerator),
+        shapes_(scene, out.textures_->fields(), options.accelerator),
         needs_(texture_needs(scene)) {}
 
   Result<void> add_all() {
@@ -150,37 +150,44 @@ class Compiler {
 
 namespace {
 
-/// The solids that `object` patterns ask about, built once and kept alive by the test itself.
-Result<InsideTest> make_inside_test(const Scene& scene) {
-  auto shapes = std::make_shared<PreparedShapes>(scene);
-  auto solids = std::make_shared<std::map<ObjectId, Solid>>();
-  const auto add = [&](const Pattern& pattern) -> Result<void> {
-    const auto* data = std::get_if<ObjectPattern>(&pattern.data);
-    if (!data || solids->contains(data->object)) return {};
-    auto solid = build_solid(scene, *shapes, data->object, {});
-    if (!solid) return tl::unexpected(solid.error());
-    solids->emplace(data->object, std::move(*solid));
-    return {};
-  };
-  for (const Pattern* pattern : all_patterns(scene)) {
-    if (auto added = add(*pattern); !added) return tl::unexpected(added.error());
+/// The solids that `object` patterns ask about. Textures and functions hold their test, and they
+/// may be made of functions themselves: so it is filled when those are there.
+struct PatternSolids {
+  std::vector<ShapePtr> primitives;
+  std::map<ObjectId, Solid> solids;
+
+  bool contains(ObjectId id, Vec3 p) const {
+    const auto found = solids.find(id);
+    return found != solids.end() && found->second.shape->contains(p);
   }
-  return InsideTest([shapes, solids](ObjectId id, Vec3 p) {
-    const auto found = solids->find(id);
-    return found != solids->end() && found->second.shape->contains(p);
-  });
-}
+
+  Result<void> build(const Scene& scene, const ScalarFields& fields) {
+    PreparedShapes shapes(scene, fields);
+    for (const Pattern* pattern : all_patterns(scene)) {
+      const auto* data = std::get_if<ObjectPattern>(&pattern->data);
+      if (!data || solids.contains(data->object)) continue;
+      auto solid = build_solid(scene, shapes, data->object, {});
+      if (!solid) return tl::unexpected(solid.error());
+      solids.emplace(data->object, std::move(*solid));
+    }
+    primitives = shapes.take();
+    return {};
+  }
+};
 
 }  // namespace
 
 Result<std::unique_ptr<const RenderScene>> RenderScene::compile(const Scene& scene,
                                                                 const CompileOptions& options) {
   std::unique_ptr<RenderScene> out(new RenderScene(scene));
-  auto inside = make_inside_test(scene);
-  if (!inside) return tl::unexpected(inside.error());
-  auto textures = TextureEvaluator::compile(scene, std::move(*inside));
+  const auto solids = std::make_shared<PatternSolids>();
+  auto textures = TextureEvaluator::compile(
+      scene, [solids](ObjectId id, Vec3 p) { return solids->contains(id, p); });
   if (!textures) return tl::unexpected(textures.error());
   out->textures_ = std::move(*textures);
+  if (auto built = solids->build(scene, out->textures_->fields()); !built) {
+    return tl::unexpected(built.error());
+  }
   Compiler compiler(scene, options, *out);
   if (auto added = compiler.add_all(); !added) return tl::unexpected(added.error());
   if (auto done = compiler.finish(options); !done) return tl::unexpected(done.error());

@@ -125,7 +125,7 @@ Result<const Shape*> PreparedShapes::shape(ObjectId id) {
   const Shape*& known = by_object_[id.index];
   if (!known) {
     auto prepared =
-        prepare_with({accelerator_}, std::get<ShapeData>(at(scene_.objects, id).geometry));
+        prepare_with({accelerator_, fields_}, std::get<ShapeData>(at(scene_.objects, id).geometry));
     if (!prepared) return tl::unexpected(prepared.error());
     known = prepared->get();
     shapes_.push_back(std::move(*prepared));

@@ -32,8 +32,10 @@ struct Inherited {
 /// Prepares the primitives of a scene, each once, however often it is used.
 class PreparedShapes {
  public:
-  explicit PreparedShapes(const Scene& scene, std::string_view accelerator = "bvh")
-      : scene_(scene), accelerator_(accelerator) {}
+  /// `fields` are the scene's functions; they must outlive the shapes.
+  PreparedShapes(const Scene& scene, const ScalarFields& fields,
+                 std::string_view accelerator = "bvh")
+      : scene_(scene), fields_(&fields), accelerator_(accelerator) {}
   /// The structure over the parts of one object: triangles of a mesh, primitives of a solid.
   const std::string& accelerator() const { return accelerator_; }
   /// The primitive of an object whose geometry is a ShapeData.
@@ -46,6 +48,7 @@ class PreparedShapes {
 
  private:
   const Scene& scene_;
+  const ScalarFields* fields_;
   std::string accelerator_;
   std::vector<ShapePtr> shapes_;
   std::vector<const Shape*> by_object_;

@@ -44,6 +44,7 @@ class CompiledTextures final : public TextureEvaluator {
   double call(FunctionId function, std::span<const double> arguments) const override {
     return functions_.call(function, arguments);
   }
+  const ScalarFields& fields() const override { return functions_; }
 
  private:
   std::vector<ImageSampler> images_;

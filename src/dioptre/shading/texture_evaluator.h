@@ -8,6 +8,7 @@
 
 #include "dioptre/core/color.h"
 #include "dioptre/core/result.h"
+#include "dioptre/core/scalar_field.h"
 #include "dioptre/core/vec.h"
 #include "dioptre/scene/scene.h"
 
@@ -70,6 +71,8 @@ class TextureEvaluator {
   /// Disturbs a unit normal (the camera's, say) by a normal of the scene.
   virtual Vec3 perturb(NormalId normal, Vec3 position, Vec3 unit_normal) const = 0;
   virtual double call(FunctionId function, std::span<const double> arguments) const = 0;
+  /// The functions as fields for shapes.
+  virtual const ScalarFields& fields() const = 0;
 };
 
 }  // namespace dioptre

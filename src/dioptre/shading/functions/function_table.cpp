@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "dioptre/core/expression_eval.h"
+#include "dioptre/shading/functions/function_program.h"
 #include "dioptre/shading/functions/internal_function_table.h"
 
 namespace dioptre {
@@ -69,6 +70,21 @@ double FunctionTable::call(FunctionId id, std::span<const double> arguments) con
   }
   if (const auto* part = std::get_if<PigmentPart>(&body)) return value(*part, arguments);
   return std::get<SplineEvaluator>(body).at(argument(arguments, 0));
+}
+
+std::unique_ptr<const ScalarField> FunctionTable::field(FunctionId id) const {
+  if (id.index >= functions_.size()) return nullptr;
+  return std::make_unique<const FunctionProgram>(compile_function(*this, id, 3), *this);
+}
+
+std::optional<std::uint32_t> FunctionTable::internal_number(FunctionId id) const {
+  const auto* internal = body_as<InternalFunction>(id);
+  return internal ? std::optional(internal->number) : std::nullopt;
+}
+
+Interval FunctionTable::range_of(FunctionId id) const {
+  const auto* pattern = body_as<std::unique_ptr<PatternEvaluator>>(id);
+  return pattern && !(*pattern)->block() ? Interval{0, 1} : Interval::all();
 }
 
 double FunctionTable::value(const Expression& body, std::span<const double> arguments) const {

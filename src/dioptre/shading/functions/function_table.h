@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
+#include "dioptre/core/scalar_field.h"
 #include "dioptre/scene/function.h"
 #include "dioptre/shading/functions/spline_function.h"
 #include "dioptre/shading/patterns/pattern_evaluator.h"
@@ -14,7 +16,7 @@
 namespace dioptre {
 
 /// All functions of a scene, by id.
-class FunctionTable {
+class FunctionTable final : public ScalarFields {
  public:
   /// Makes all functions of the scene ready. The table must not move afterwards.
   void compile(const Scene& scene, const PigmentTable& pigments, const PatternServices& services);
@@ -23,6 +25,16 @@ class FunctionTable {
   /// there is no value. 0 for no function.
   double call(FunctionId id, std::span<const double> arguments) const;
 
+  /// The function as a field of up to three arguments.
+  std::unique_ptr<const ScalarField> field(FunctionId id) const override;
+
+  /// The formula that the function is, if it is one.
+  const Expression* formula(FunctionId id) const { return body_as<Expression>(id); }
+  /// The number of the built-in function that it is, if it is one.
+  std::optional<std::uint32_t> internal_number(FunctionId id) const;
+  /// Bounds of its values that hold everywhere.
+  Interval range_of(FunctionId id) const;
+
  private:
   struct PigmentPart {
     PigmentId pigment;
@@ -30,6 +42,10 @@ class FunctionTable {
   };
   using Body = std::variant<Expression, InternalFunction, std::unique_ptr<PatternEvaluator>,
                             PigmentPart, SplineEvaluator>;
+  template <class T>
+  const T* body_as(FunctionId id) const {
+    return id.index < functions_.size() ? std::get_if<T>(&functions_[id.index]) : nullptr;
+  }
   double value(const Expression& body, std::span<const double> arguments) const;
   double value(const PigmentPart& part, std::span<const double> arguments) const;
 

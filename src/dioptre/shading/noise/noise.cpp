@@ -78,6 +78,7 @@ struct Tables {
 const Tables kTables;
 
 constexpr double fade(double t) { return t * t * (3 - 2 * t); }
+constexpr double fade_slope(double t) { return 6 * t * (1 - t); }
 
 bool in_reach(Vec3 p) {
   const Vec3 a = abs(p);
@@ -142,7 +143,7 @@ template <std::uint32_t components>
   }
 }
 
-double gradient_noise(Vec3 p) {
+double gradient_noise(Vec3 p, Vec3* gradient = nullptr) {
   if (!in_reach(p)) p = {};
   p += {kGradientShift, kGradientShift, kGradientShift};
   const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
@@ -155,14 +156,53 @@ double gradient_noise(Vec3 p) {
   constexpr std::uint32_t kMask = kGradients - 1;
   const auto& perm = kTables.permutation;
   double sum = 0;
+  Vec3 change;
   for (std::uint32_t c = 0; c < 8; ++c) {
     const std::uint32_t x = c & 1, y = c >> 1 & 1, z = c >> 2;
     const std::uint32_t hashed = perm[(perm[(ix + x) & kMask] + iy + y) & kMask] + iz + z;
     const double w = (x ? sx : 1 - sx) * (y ? sy : 1 - sy) * (z ? sz : 1 - sz);
     const Vec3 from_corner{d.x - x, d.y - y, d.z - z};
-    sum += w * dot(kTables.gradients[hashed & kMask], from_corner);
+    const Vec3& slope = kTables.gradients[hashed & kMask];
+    const double ramp = dot(slope, from_corner);
+    sum += w * ramp;
+    if (gradient == nullptr) continue;
+    const double wx = x ? sx : 1 - sx, wy = y ? sy : 1 - sy, wz = z ? sz : 1 - sz;
+    change += w * slope + ramp * Vec3{(x ? 1 : -1) * fade_slope(d.x) * wy * wz,
+                                      (y ? 1 : -1) * fade_slope(d.y) * wx * wz,
+                                      (z ? 1 : -1) * fade_slope(d.z) * wx * wy};
   }
+  if (gradient != nullptr) *gradient = 0.795 * change;
   return 0.4925 + 0.795 * sum;
+}
+
+/// The first component of the lattice noise and its gradient.
+double lattice_noise_and_gradient(Vec3 p, Vec3& gradient) {
+  if (!in_reach(p)) p = {};
+  const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
+  const Vec3 offset{p.x - fx, p.y - fy, p.z - fz};
+  const auto cell = [](double floor) { return static_cast<std::int64_t>(floor) + kLatticeShift; };
+  double value[8];
+  Vec3 slope[8];
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    const std::uint32_t x = c >> 2, y = c >> 1 & 1, z = c & 1;
+    const std::uint32_t hashed = cell_hash(cell(fx) + x, cell(fy) + y, cell(fz) + z);
+    const double* corner = &kLatticeValues[hashed & 255u];
+    slope[c] = {corner[1], corner[2], corner[3]};
+    value[c] = 0.5 * corner[0] + dot(slope[c], offset - Vec3{1.0 * x, 1.0 * y, 1.0 * z});
+  }
+  const double at[3] = {offset.z, offset.y, offset.x};
+  const Vec3 axes[3] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const double share = fade(at[axis]), share_slope = fade_slope(at[axis]);
+    for (std::uint32_t i = 0; i < 4u >> axis; ++i) {
+      const double step = value[2 * i + 1] - value[2 * i];
+      slope[i] = slope[2 * i] + share * (slope[2 * i + 1] - slope[2 * i]) +
+                 share_slope * step * axes[axis];
+      value[i] = value[2 * i] + share * step;
+    }
+  }
+  gradient = slope[0];
+  return value[0];
 }
 
 }  // namespace
@@ -174,6 +214,14 @@ DIOPTRE_WIDE double noise(Vec3 p, NoiseGenerator generator) {
   const double n =
       generator == NoiseGenerator::kOriginal ? raw + 0.5 : 0.48985582 * (raw + 1.05242);
   return std::clamp(n, 0.0, 1.0);
+}
+
+double unclipped_noise(Vec3 p, NoiseGenerator generator, Vec3& gradient) {
+  if (generator == NoiseGenerator::kPerlin) return gradient_noise(p, &gradient);
+  const double raw = lattice_noise_and_gradient(p, gradient);
+  if (generator == NoiseGenerator::kOriginal) return raw + 0.5;
+  gradient = 0.48985582 * gradient;
+  return 0.48985582 * (raw + 1.05242);
 }
 
 DIOPTRE_WIDE Vec3 vector_noise(Vec3 p) {

@@ -22,6 +22,9 @@ struct Octaves {
 /// Points that are not finite or beyond 2^40 count as the origin.
 double noise(Vec3 p, NoiseGenerator generator);
 
+/// The same before it is clipped to [0, 1], with its gradient, which is continuous.
+double unclipped_noise(Vec3 p, NoiseGenerator generator, Vec3& gradient);
+
 /// Lattice noise with a vector value, about -1 to 1 in each component; the same for all generators.
 Vec3 vector_noise(Vec3 p);
 

@@ -53,9 +53,6 @@ TEST(SyntaxNotices, EveryBlockThatIsNotRenderedIsNamedOnce) {
                   "density { spherical density_map { [0 rgb 0] [1 rgb 1] } } }"},
         std::pair{"photons", "global_settings { photons { count 1000 media 10, 2 } }"},
         std::pair{"radiosity", "global_settings { radiosity { count 50, 100 error_bound 1 } }"},
-        std::pair{"isosurface",
-                  "isosurface { function { x*x + y - 1 } threshold 0 max_gradient 2 "
-                  "contained_by { sphere { 0, 2 } } all_intersections }"},
         std::pair{"parametric",
                   "parametric { function { u } function { v } function { u*v } <0, 0>, "
                   "<1, 1> contained_by { box { 0, 1 } } precompute 5 x, y, z }"},

@@ -64,10 +64,14 @@ Described to_described(Item item);
 void add_root(Parser& parser, Item item);
 /// Puts an object into the scene as a part of others.
 ObjectId add_part(Parser& parser, Object object, SourcePosition where = {});
+/// The container of isosurfaces and parametric surfaces, behind `contained_by`.
+Container parse_container(Parser& parser);
+
 /// The parameters of a shape, at the first one. False if the keyword is no shape.
 bool parse_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_composite_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_curved_shape(Parser& parser, Keyword keyword, Item& item);
+bool parse_function_shape(Parser& parser, Keyword keyword, Item& item);
 bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item);
 /// The children of a union, merge, intersection or difference.
 void parse_csg(Parser& parser, Keyword keyword, Item& item);

@@ -214,6 +214,7 @@ bool parse_shape(Parser& parser, Keyword keyword, Item& item) {
       return true;
     default:
       return parse_composite_shape(parser, keyword, item) ||
+             parse_function_shape(parser, keyword, item) ||
              parse_curved_shape(parser, keyword, item) ||
              parse_unrendered_shape(parser, keyword, item);
   }

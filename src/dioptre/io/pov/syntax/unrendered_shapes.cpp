@@ -69,50 +69,11 @@ void parse_julia_fractal(Parser& parser) {
   }
 }
 
-/// The container of isosurfaces and parametric surfaces.
-void parse_container(Parser& parser) {
-  parser.expect('{', "after contained_by");
-  if (parser.accept(Keyword::kSphere)) {
-    parser.expect('{', "after sphere");
-    skip_vector(parser);
-    parser.parse_float();
-    parser.skip_comma();
-  } else if (parser.accept(Keyword::kBox)) {
-    parser.expect('{', "after box");
-    skip_vector(parser);
-    skip_vector(parser);
-  } else {
-    parser.fail_expected("sphere or box");
-  }
-  parser.expect('}', "after the container");
-  parser.expect('}', "after contained_by");
-}
-
 void parse_functions(Parser& parser, int count) {
   for (int i = 0; i < count; ++i) {
     if (!parser.accept(Keyword::kFunction)) parser.fail_expected("function");
     parser.parse_function();
     parser.skip_comma();
-  }
-}
-
-void parse_isosurface(Parser& parser) {
-  parse_functions(parser, 1);
-  for (;;) {
-    if (parser.accept(Keyword::kContainedBy)) {
-      parse_container(parser);
-    } else if (accept_any(parser, {Keyword::kThreshold, Keyword::kAccuracy, Keyword::kMaxGradient,
-                                   Keyword::kMaxTrace, Keyword::kMaxIntersections})) {
-      if (parser.at_expression()) skip_float(parser);
-    } else if (parser.accept(Keyword::kEvaluate)) {
-      skip_float(parser);
-      skip_float(parser);
-      parser.parse_float();
-    } else if (parser.accept(Keyword::kOpen)) {
-      parser.parse_flag();
-    } else if (!parser.accept(Keyword::kAllIntersections) && !parser.accept(',')) {
-      return;
-    }
   }
 }
 
@@ -146,9 +107,6 @@ bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
       return true;
     case Keyword::kJuliaFractal:
       parse_julia_fractal(parser);
-      return true;
-    case Keyword::kIsosurface:
-      parse_isosurface(parser);
       return true;
     case Keyword::kParametric:
       parse_parametric(parser);
