@@ -10,14 +10,17 @@
 namespace dioptre {
 namespace {
 
-/// The part of a ray in the container, of s from 0 to 1.
+/// A part of a ray in the container, of s from 0 to 1.
 struct Stretch {
-  Crossing in, out;
+  double begin = 0, end = 0;
   Vec3 origin, step;
 
-  double length() const { return out.t - in.t; }
-  double t(double s) const { return std::clamp(in.t + s * length(), in.t, out.t); }
-  double s(double t) const { return (t - in.t) / length(); }
+  Stretch(const Ray& ray, double begin, double end)
+      : begin(begin), end(end), origin(ray.at(begin)), step((end - begin) * ray.direction) {}
+
+  double t(double s) const { return std::clamp(begin + s * (end - begin), begin, end); }
+  double s(double t) const { return (t - begin) / (end - begin); }
+  bool usable() const { return begin < end && is_finite(origin) && is_finite(step); }
 };
 
 class PreparedIsosurface final : public Shape {
@@ -40,38 +43,22 @@ class PreparedIsosurface final : public Shape {
   }
 
   bool crossings(const Ray& ray, Interval range, Crossings& out) const override {
-    Stretch stretch;
-    if (!stretch_of(ray, range, stretch)) return false;
-    const FieldLine line(*field_, threshold_, stretch.origin, stretch.step);
-    LineSearch search = search_along(line, stretch, range);
-    SignChange change;
-    bool more = search.next(change);
-    bool inside = stretch.in.t <= range.min && search.began_inside();
-    const auto report = [&](const Crossing& crossing) {
-      if (crossing.t <= range.min) inside = crossing.entering;
+    bool inside = false;
+    walk(ray, range, inside, [&](const Crossing& crossing) {
       if (range.surrounds(crossing.t)) out.push_back(crossing);
-    };
-    if (search.first_inside() && stretch.in.t > range.min) report(cap(stretch.in));
-    for (; more; more = search.next(change)) report(crossing_at(ray, stretch, change));
-    if (search.last_inside()) report(cap(stretch.out));
+      return true;
+    });
     return inside;
   }
 
   bool nearest(const Ray& ray, Interval range, Crossing& out) const override {
-    Stretch stretch;
-    if (!stretch_of(ray, range, stretch)) return false;
-    const FieldLine line(*field_, threshold_, stretch.origin, stretch.step);
-    LineSearch search = search_along(line, stretch, range);
-    const auto found = [&](const Crossing& crossing) {
-      out = crossing;
-      return crossing.visible && range.surrounds(crossing.t);
-    };
-    if (search.first_inside() && found(cap(stretch.in))) return true;
-    SignChange change;
-    while (search.next(change)) {
-      if (found(crossing_at(ray, stretch, change))) return true;
-    }
-    return search.last_inside() && found(cap(stretch.out));
+    bool inside = false, found = false;
+    walk(ray, range, inside, [&](const Crossing& crossing) {
+      found = crossing.visible && range.surrounds(crossing.t);
+      if (found) out = crossing;
+      return !found;
+    });
+    return found;
   }
 
   Surface surface(const Ray& ray, const Crossing& crossing) const override {
@@ -118,23 +105,44 @@ class PreparedIsosurface final : public Shape {
             value({p.x, p.y, p.z + h}) - here};
   }
 
-  bool stretch_of(const Ray& ray, Interval range, Stretch& stretch) const {
-    thread_local Crossings found;
-    found.clear();
-    container_->crossings(ray, Interval::all(), found);
-    if (found.size() < 2) return false;
-    stretch.in = found.front();
-    stretch.out = found.back();
-    if (!(stretch.in.t < range.max && stretch.out.t > range.min)) return false;
-    if (!(stretch.in.t < stretch.out.t)) return false;
-    stretch.origin = ray.at(stretch.in.t);
-    stretch.step = stretch.length() * ray.direction;
-    return is_finite(stretch.origin) && is_finite(stretch.step);
-  }
-
-  LineSearch search_along(const FieldLine& line, const Stretch& stretch, Interval range) const {
-    const double size = length(stretch.step);
-    return {line, steepest_ * size, accuracy_ / size, {stretch.s(range.min), stretch.s(range.max)}};
+  /// Calls visit(crossing) for all crossings in the range in order, perhaps for others too, until
+  /// that returns false; `inside` becomes the state just behind range.min. What is behind the ray's
+  /// origin is a stretch by itself (measured).
+  template <class Visit>
+  void walk(const Ray& ray, Interval range, bool& inside, Visit&& visit) const {
+    thread_local Crossings of_container;
+    of_container.clear();
+    container_->crossings(ray, Interval::all(), of_container);
+    if (of_container.size() < 2) return;
+    const Crossing in = of_container.front(), out = of_container.back();
+    const bool halves = in.t < 0 && out.t > 0;
+    const double ends[] = {in.t, halves ? 0 : out.t, out.t};
+    bool state = false, known = in.t > range.min;
+    for (int part = 0; part < (halves ? 2 : 1); ++part) {
+      if (!(ends[part] < range.max && ends[part + 1] > range.min)) continue;
+      const Stretch stretch(ray, ends[part], ends[part + 1]);
+      if (!stretch.usable()) return;
+      const FieldLine line(*field_, threshold_, stretch.origin, stretch.step);
+      const double size = length(stretch.step);
+      LineSearch search(line, steepest_ * size, accuracy_ / size,
+                        {stretch.s(range.min), stretch.s(range.max)});
+      if (known && search.first_inside() != state) {
+        state = !state;
+        if (!visit(part == 0 ? cap(in) : crossing_at(ray, stretch, 0, 0, state))) return;
+      }
+      SignChange change;
+      bool more = search.next(change);
+      if (!known) state = inside = search.began_inside();
+      known = true;
+      for (; more; more = search.next(change)) {
+        state = change.inside;
+        const Crossing crossing = crossing_at(ray, stretch, change.s, search.cell(), state);
+        if (crossing.t <= range.min) inside = state;
+        if (!visit(crossing)) return;
+      }
+      state = search.last_inside();
+    }
+    if (known && state) visit(cap(out));
   }
 
   Crossing cap(Crossing crossing) const {
@@ -143,11 +151,12 @@ class PreparedIsosurface final : public Shape {
     return crossing;
   }
 
-  static Crossing crossing_at(const Ray& ray, const Stretch& stretch, const SignChange& change) {
-    const double t = stretch.t(change.s);
+  static Crossing crossing_at(const Ray& ray, const Stretch& stretch, double s, double cell,
+                              bool entering) {
+    const double t = stretch.t(s);
     const double error =
-        change.error * stretch.length() + shift_error(ray, t) + 8 * kRounding * std::fabs(t);
-    return {.t = t, .error = error, .entering = change.inside};
+        cell * (stretch.end - stretch.begin) + shift_error(ray, t) + 8 * kRounding * std::fabs(t);
+    return {.t = t, .error = error, .entering = entering};
   }
 
   ShapePtr container_;

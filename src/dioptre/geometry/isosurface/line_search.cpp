@@ -23,13 +23,18 @@ double lowest(double a, double b, double h, Interval slope) {
 /// How much a piece must shrink at once for that to be better than halving it.
 constexpr double kWorthShortening = 0.5;
 
+/// The largest power of 1/2 below the accuracy.
+double cell_below(double accuracy) {
+  int exponent = 0;
+  std::frexp(std::clamp(accuracy, 0x1p-40, 1.0), &exponent);
+  const double power = std::ldexp(1, exponent - 1);
+  return power < accuracy ? power : 0.5 * power;
+}
+
 }  // namespace
 
-LineSearch::LineSearch(const FieldLine& line, double steepest, double finest, Interval from_to)
-    : line_(line),
-      steepest_(steepest),
-      finest_(std::clamp(finest, 0x1p-40, 1.0)),
-      from_to_(from_to) {
+LineSearch::LineSearch(const FieldLine& line, double steepest, double accuracy, Interval from_to)
+    : line_(line), steepest_(steepest), cell_(cell_below(accuracy)), from_to_(from_to) {
   const Piece whole{0, 1, line.value(0), line.value(1)};
   first_inside_ = whole.value_low < 0;
   last_inside_ = whole.value_high < 0;
@@ -73,7 +78,7 @@ LineSearch::Verdict LineSearch::judge(const Piece& piece, Interval& slope) const
   if (!changes && excluded(piece, is_unbounded(slope) ? intersect(slope, stated) : slope)) {
     return Verdict::kEmpty;
   }
-  if (piece.high - piece.low > finest_ && left_ > 0) return Verdict::kDivide;
+  if (piece.high - piece.low > cell_ && left_ > 0) return Verdict::kDivide;
   return changes ? Verdict::kOneChange : Verdict::kEmpty;
 }
 
@@ -112,13 +117,14 @@ void LineSearch::divide(const Piece& piece) {
 
 /// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a
 /// nonlinear function without using derivatives", 1997: inverse quadratic interpolation where the
-/// last three points allow it, else bisection. It begins with the chord.
+/// last three points allow it, else bisection. It begins with the chord and ends within a cell.
 SignChange LineSearch::refine(const Piece& piece) const {
   constexpr double kTolerance = 0x1p-42;
   constexpr int kMostRounds = 80;
   double x1 = piece.high, f1 = piece.value_high, x2 = piece.low, f2 = piece.value_low;
   double share = f1 / (f1 - f2);
   for (int round = 0; round < kMostRounds; ++round) {
+    if (std::ceil(x1 / cell_) == std::ceil(x2 / cell_)) break;
     const double least = kTolerance / std::fabs(x2 - x1);
     if (!(least < 0.5)) break;
     if (!(share >= 0 && share <= 1)) share = 0.5;
@@ -136,7 +142,7 @@ SignChange LineSearch::refine(const Piece& piece) const {
                          (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
                    : 0.5;
   }
-  return {0.5 * (x1 + x2), 0.5 * std::fabs(x2 - x1), piece.value_high < 0};
+  return {std::min(std::ceil(std::max(x1, x2) / cell_) * cell_, 1.0), piece.value_high < 0};
 }
 
 }  // namespace dioptre
