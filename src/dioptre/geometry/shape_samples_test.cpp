@@ -155,7 +155,7 @@ Isosurface isosurface(std::uint32_t function, double threshold, double size) {
   Isosurface iso;
   iso.function = {function};
   iso.threshold = threshold;
-  iso.accuracy = 1e-9;
+  iso.accuracy = 1e-11;
   iso.container = {false, {-size, -size, -size}, {size, size, size}, {}, 0};
   return iso;
 }

@@ -11,8 +11,9 @@ namespace {
 
 class RendererQueries final : public SceneQueries {
  public:
-  std::optional<Hit> trace(const Scene& scene, ObjectId object, const Ray& ray) override {
+  std::optional<Hit> trace(const Scene& scene, ObjectId object, const Ray& towards) override {
     const Shape* shape = solid(scene, object);
+    const Ray ray{towards.origin, normalize(towards.direction)};
     Crossing crossing;
     if (!shape || !shape->nearest(ray, {kNearest, kInfinity}, crossing)) return std::nullopt;
     const Surface surface = shape->surface(ray, crossing);

@@ -124,8 +124,11 @@ class PreparedIsosurface final : public Shape {
       if (!stretch.usable()) return;
       const FieldLine line(*field_, threshold_, stretch.origin, stretch.step);
       const double size = length(stretch.step);
-      LineSearch search(line, steepest_ * size, accuracy_ / size,
-                        {stretch.s(range.min), stretch.s(range.max)});
+      // The accuracy of what is reported is in the ray's units: the world's (measured).
+      LineSearch search(line, {steepest_ * size,
+                               accuracy_ / size,
+                               accuracy_ / (stretch.end - stretch.begin),
+                               {stretch.s(range.min), stretch.s(range.max)}});
       if (known && search.first_inside() != state) {
         state = !state;
         if (!visit(part == 0 ? cap(in) : crossing_at(ray, stretch, 0, 0, state))) return;

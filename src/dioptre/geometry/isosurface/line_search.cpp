@@ -33,8 +33,12 @@ double cell_below(double accuracy) {
 
 }  // namespace
 
-LineSearch::LineSearch(const FieldLine& line, double steepest, double accuracy, Interval from_to)
-    : line_(line), steepest_(steepest), cell_(cell_below(accuracy)), from_to_(from_to) {
+LineSearch::LineSearch(const FieldLine& line, const Options& options)
+    : line_(line),
+      steepest_(options.steepest),
+      finest_(std::clamp(options.finest, 0x1p-40, 1.0)),
+      cell_(cell_below(options.accuracy)),
+      from_to_(options.from_to) {
   const Piece whole{0, 1, line.value(0), line.value(1)};
   first_inside_ = whole.value_low < 0;
   last_inside_ = whole.value_high < 0;
@@ -78,7 +82,7 @@ LineSearch::Verdict LineSearch::judge(const Piece& piece, Interval& slope) const
   if (!changes && excluded(piece, is_unbounded(slope) ? intersect(slope, stated) : slope)) {
     return Verdict::kEmpty;
   }
-  if (piece.high - piece.low > cell_ && left_ > 0) return Verdict::kDivide;
+  if (piece.high - piece.low > finest_ && left_ > 0) return Verdict::kDivide;
   return changes ? Verdict::kOneChange : Verdict::kEmpty;
 }
 

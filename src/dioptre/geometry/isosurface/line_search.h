@@ -18,16 +18,20 @@ struct SignChange {
 /// the bounds of the slope, say that the field cannot vanish; it holds one change or none where the
 /// slope has one sign; else it is shortened from both ends by the slope (interval Newton; R. E.
 /// Moore, 1966) or halved (D. Mitchell, "Robust Ray Intersection with Interval Arithmetic", 1990).
-/// Pieces that are shorter than a cell count as changes where the ends differ. What is found
+/// Pieces that are shorter than the finest count as changes where the ends differ. What is found
 /// alternates whatever the bounds are worth.
 ///
 /// Cells are what halving the stretch over and over gives, of a length below the accuracy, and
 /// changes are reported at the far ends of theirs (measured): fine patterns show the difference.
 class LineSearch {
  public:
-  /// `steepest` bounds the slope by s where nothing else does; `accuracy` is in s.
-  /// Changes before `from` and after `to` may be left out.
-  LineSearch(const FieldLine& line, double steepest, double accuracy, Interval from_to);
+  /// All in s: `steepest` bounds the slope where nothing else does; cells are shorter than
+  /// `accuracy`; changes outside `from_to` may be left out.
+  struct Options {
+    double steepest, finest, accuracy;
+    Interval from_to;
+  };
+  LineSearch(const FieldLine& line, const Options& options);
 
   /// Whether the ends of the whole stretch are inside.
   bool first_inside() const { return first_inside_; }
@@ -60,7 +64,7 @@ class LineSearch {
   static constexpr int kDeepest = 64;
   static constexpr int kMostPieces = 4000;
   const FieldLine& line_;
-  double steepest_, cell_;
+  double steepest_, finest_, cell_;
   Interval from_to_;
   bool first_inside_, last_inside_;
   bool began_ = false, began_inside_ = false;
