@@ -139,7 +139,7 @@ class PreparedIsosurface final : public Shape {
       known = true;
       for (; more; more = search.next(change)) {
         state = change.inside;
-        const Crossing crossing = crossing_at(ray, stretch, change.s, search.cell(), state);
+        const Crossing crossing = crossing_at(ray, stretch, change.s, change.error, state);
         if (crossing.t <= range.min) inside = state;
         if (!visit(crossing)) return;
       }
@@ -154,11 +154,11 @@ class PreparedIsosurface final : public Shape {
     return crossing;
   }
 
-  static Crossing crossing_at(const Ray& ray, const Stretch& stretch, double s, double cell,
+  static Crossing crossing_at(const Ray& ray, const Stretch& stretch, double s, double error_s,
                               bool entering) {
     const double t = stretch.t(s);
-    const double error =
-        cell * (stretch.end - stretch.begin) + shift_error(ray, t) + 8 * kRounding * std::fabs(t);
+    const double error = error_s * (stretch.end - stretch.begin) + shift_error(ray, t) +
+                         8 * kRounding * std::fabs(t);
     return {.t = t, .error = error, .entering = entering};
   }
 

@@ -146,7 +146,8 @@ SignChange LineSearch::refine(const Piece& piece) const {
                          (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
                    : 0.5;
   }
-  return {std::min(std::ceil(std::max(x1, x2) / cell_) * cell_, 1.0), piece.value_high < 0};
+  const double end = std::min(std::ceil(std::max(x1, x2) / cell_) * cell_, 1.0);
+  return {end, end - std::min(x1, x2), piece.value_high < 0};
 }
 
 }  // namespace dioptre

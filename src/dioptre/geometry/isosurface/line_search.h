@@ -9,6 +9,7 @@ namespace dioptre {
 /// the cell that it lies in.
 struct SignChange {
   double s = 0;
+  double error = 0;     ///< how far before s it may lie
   bool inside = false;  ///< behind it
 };
 
@@ -36,9 +37,6 @@ class LineSearch {
   /// Whether the ends of the whole stretch are inside.
   bool first_inside() const { return first_inside_; }
   bool last_inside() const { return last_inside_; }
-
-  /// The length of a cell.
-  double cell() const { return cell_; }
 
   /// The next change, if there is one.
   bool next(SignChange& out);
