@@ -57,10 +57,12 @@ class Collector final : public RayObserver {
 void trace_row(const EyeRays& eye, const RayIntegrator& integrator, const PixelRegion& region,
                std::uint32_t row, RayLog& log) {
   const auto trace = [&](double x, double y, Vec2 lens) -> FilmSample {
-    const auto ray = eye.ray(x, y, lens);
-    if (!ray) return {{}, 0};
-    const Radiance radiance = integrator.radiance(*ray, log);
-    return {radiance.color, radiance.alpha};
+    return eye.mean([&](std::uint32_t number) -> std::optional<FilmSample> {
+      const auto ray = eye.ray(x, y, lens, number);
+      if (!ray) return std::nullopt;
+      const Radiance radiance = integrator.radiance(*ray, log);
+      return FilmSample{radiance.color, radiance.alpha};
+    });
   };
   for (std::uint32_t column = region.first_column; column < region.end_column; ++column) {
     const double x = column + 0.5, y = row + 0.5;

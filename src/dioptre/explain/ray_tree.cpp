@@ -99,6 +99,9 @@ Result<RayTree> explain_pixel(const RenderScene& scene, const ExplainOptions& op
   if (!integrator) return tl::unexpected(integrator.error());
   const auto ray = eye->ray(options.column + 0.5, options.row + 0.5);
   if (!ray) return fail("the camera shows nothing at this pixel");
+  if (eye->rays_per_pixel() > 1) {
+    return fail("this camera shows the mean of several rays: there is no one tree to explain");
+  }
   RayTree tree{options.column, options.row, options.width, options.height, {}, {}};
   RayLog plain;
   tree.value = (*integrator)->radiance(*ray, plain).color;

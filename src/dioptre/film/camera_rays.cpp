@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dioptre {
 namespace {
@@ -48,6 +49,13 @@ CameraRays::CameraRays(const Camera& camera)
 }
 
 Result<CameraRays> CameraRays::prepare(const Camera& camera) {
+  if (camera.kind == Camera::Kind::kMesh) {
+    auto mesh = MeshRays::prepare(camera.mesh);
+    if (!mesh) return tl::unexpected(mesh.error());
+    CameraRays rays(camera);
+    rays.mesh_ = std::move(*mesh);
+    return rays;
+  }
   if (!is_finite(camera.location)) return fail("the camera's location is not finite");
   const auto forward = unit(camera.direction), right = unit(camera.right), up = unit(camera.up);
   if (!forward) return fail("the camera's direction has no length");
@@ -73,7 +81,8 @@ Result<CameraRays> CameraRays::prepare(const Camera& camera) {
 }
 
 std::optional<Ray> CameraRays::ray(double x, double y, std::uint32_t width, std::uint32_t height,
-                                   Vec2 lens) const {
+                                   Vec2 lens, std::uint32_t number) const {
+  if (mesh_) return mesh_->ray(x, y, width, height, number);
   const double across = x / width - 0.5, upwards = 0.5 - y / height;
   if (!has_lens()) return pinhole(across, upwards);
   const std::optional<Ray> sharp = pinhole(across, upwards);
@@ -94,6 +103,7 @@ std::optional<Ray> CameraRays::pinhole(double x, double y) const {
   const Vec3 eye = camera_.location;
   switch (camera_.kind) {
     case Camera::Kind::kPerspective:
+    case Camera::Kind::kMesh:
       break;
     case Camera::Kind::kOrthographic:
       return Ray{eye + at.x * camera_.right + at.y * camera_.up, forward_};

@@ -7,6 +7,7 @@
 #include "dioptre/core/ray.h"
 #include "dioptre/core/result.h"
 #include "dioptre/core/vec.h"
+#include "dioptre/film/mesh_rays.h"
 #include "dioptre/scene/camera.h"
 
 namespace dioptre {
@@ -21,12 +22,16 @@ class CameraRays {
   /// pixels: (i + 0.5, j + 0.5) is the centre of pixel (i, j), and y grows downwards. `lens` is a
   /// place in the unit square around the lens, which is half of Camera::aperture wide (as measured
   /// with POV-Ray); (0.5, 0.5) is its centre. It matters only if has_lens(). Nothing where the
-  /// projection shows nothing (outside the circle of a fisheye).
+  /// projection shows nothing (outside the circle of a fisheye). `number` is that of the ray if
+  /// there are several per pixel.
   std::optional<Ray> ray(double x, double y, std::uint32_t width, std::uint32_t height,
-                         Vec2 lens = {0.5, 0.5}) const;
+                         Vec2 lens = {0.5, 0.5}, std::uint32_t number = 0) const;
 
   /// Whether the camera has depth of field.
-  bool has_lens() const { return camera_.aperture > 0; }
+  bool has_lens() const { return camera_.aperture > 0 && !mesh_; }
+
+  /// How many rays a pixel is the mean of, those that are not there left out.
+  std::uint32_t rays_per_pixel() const { return mesh_ ? mesh_->rays_per_pixel() : 1; }
 
  private:
   explicit CameraRays(const Camera& camera);
@@ -37,6 +42,7 @@ class CameraRays {
   Vec3 forward_;     ///< unit direction
   Vec3 right_, up_;  ///< unit vectors of the view
   double right_length_, up_length_;
+  std::optional<MeshRays> mesh_;  ///< of the mesh kind
 };
 
 }  // namespace dioptre

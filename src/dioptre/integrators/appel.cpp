@@ -21,7 +21,8 @@ Radiance Appel::radiance(const Ray& camera_ray, RayLog& log) const {
   if (log.observer) log.observer->begin({RayKind::kCamera, camera_ray, {1, 1, 1}});
   Hit hit;
   const bool found = log.clock.time([&] {
-    return scene_.nearest(camera_ray, {0, kInfinity}, RayPurpose::kCamera, hit, log.walks);
+    return scene_.nearest(camera_ray, {0, scene_.scene().camera.reach()}, RayPurpose::kCamera, hit,
+                          log.walks);
   });
   Radiance result;
   if (found) {

@@ -20,10 +20,10 @@ EyeRays::EyeRays(const RenderScene& scene, CameraRays camera, std::uint32_t widt
       width_(width),
       height_(height) {}
 
-std::optional<Ray> EyeRays::ray(double x, double y, Vec2 lens) const {
+std::optional<Ray> EyeRays::ray(double x, double y, Vec2 lens, std::uint32_t number) const {
   const NormalId bumps = scene_.scene().camera.normal;
-  if (!bumps) return camera_.ray(x, y, width_, height_, lens);
-  auto ray = camera_.ray(x, y, width_, height_, lens);
+  if (!bumps) return camera_.ray(x, y, width_, height_, lens, number);
+  auto ray = camera_.ray(x, y, width_, height_, lens, number);
   if (!ray) return ray;
   // Bumps are looked up by heights and widths from the centre, x to the right and y upwards
   // (measured).

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "dioptre/core/ray.h"
 #include "dioptre/core/result.h"
@@ -21,7 +22,27 @@ class EyeRays {
                                  std::uint32_t height);
 
   /// The ray through a place of the image, in pixels, as CameraRays::ray has it.
-  std::optional<Ray> ray(double x, double y, Vec2 lens = {0.5, 0.5}) const;
+  std::optional<Ray> ray(double x, double y, Vec2 lens = {0.5, 0.5},
+                         std::uint32_t number = 0) const;
+
+  /// How many rays a pixel is the mean of; 1 but for some mesh cameras.
+  std::uint32_t rays_per_pixel() const { return camera_.rays_per_pixel(); }
+
+  /// The mean over the rays of a pixel at a place: `sample(number)` gives a FilmSample or something
+  /// derived from it, or nothing for a ray that is not shot and does not count.
+  template <class Sample>
+  auto mean(Sample&& sample) const {
+    typename std::invoke_result_t<Sample&, std::uint32_t>::value_type sum{};
+    sum.alpha = 0;
+    std::uint32_t count = 0;
+    for (std::uint32_t number = 0; number < rays_per_pixel(); ++number) {
+      const auto one = sample(number);
+      if (!one) continue;
+      sum = sum + *one;
+      ++count;
+    }
+    return count > 1 ? sum * (1.0f / static_cast<float>(count)) : sum;
+  }
 
   /// The points of the lens that are looked through; null for a pinhole.
   const LensSamples* lens() const { return camera_.has_lens() ? &lens_ : nullptr; }

@@ -55,22 +55,28 @@ class Render {
  private:
   static constexpr bool kWithTerms = std::is_same_v<Sample, TermSample>;
 
-  Sample sample(double x, double y, Vec2 lens, PixelLog& log) const {
+  std::optional<Sample> sample(double x, double y, Vec2 lens, std::uint32_t number,
+                               PixelLog& log) const {
+    const auto ray = eye_.ray(x, y, lens, number);
+    if (!ray) return std::nullopt;
     Sample sample{};
-    sample.alpha = 0;
-    const auto ray = eye_.ray(x, y, lens);
-    if (!ray) return sample;
     const Radiance radiance = integrator_.radiance(*ray, log.rays);
     sample.color = radiance.color, sample.alpha = radiance.alpha;
     if constexpr (kWithTerms) sample.terms = log.watch.take_terms();
     return sample;
   }
 
+  /// The value at a place of the image through one point of the lens.
+  Sample value_through(double x, double y, Vec2 lens, PixelLog& log) const {
+    return eye_.mean([&](std::uint32_t number) { return sample(x, y, lens, number, log); });
+  }
+
   /// The value at a place of the image: one ray, or what the whole lens sees around it.
   Sample value(double x, double y, double spread, PixelLog& log) const {
-    if (!eye_.lens()) return sample(x, y, {0.5, 0.5}, log);
-    return eye_.lens()->mean(
-        x, y, spread, [&](double px, double py, Vec2 lens) { return sample(px, py, lens, log); });
+    if (!eye_.lens()) return value_through(x, y, {0.5, 0.5}, log);
+    return eye_.lens()->mean(x, y, spread, [&](double px, double py, Vec2 lens) {
+      return value_through(px, py, lens, log);
+    });
   }
 
   Sample first_value(std::uint32_t x, std::uint32_t y, PixelLog& log) const {

@@ -107,6 +107,7 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
       has_fog_(!scene.scene().atmosphere.fogs.empty()),
       reflections_(options.quality >= 8),
       attenuation_(options.attenuation) {
+  if (scene.scene().camera.kind == Camera::Kind::kMesh) return;  // it has no one place
   const Vec3 eye = scene.scene().camera.location;
   for (const Item& item : scene.items()) {
     const Part& part = scene.first_part(item);
@@ -124,6 +125,7 @@ Radiance Whitted::radiance(const Ray& camera_ray, RayLog& log) const {
   Path path;
   path.ray = camera_ray;
   path.media = camera_media_;
+  path.reach = scene_.scene().camera.reach();
   begin(RayKind::kCamera, path, {1, 1, 1}, log.observer);
   return trace(path, scratch);
 }
@@ -146,8 +148,9 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
     Hit hit;
     Color reached{1, 1, 1};  // what the way to the surface leaves
     const bool found = scratch.log->clock.time([&] {
-      return scene_.nearest(path.ray, {0, kInfinity}, path.purpose, hit, scratch.log->walks);
+      return scene_.nearest(path.ray, {0, path.reach}, path.purpose, hit, scratch.log->walks);
     });
+    path.reach = kInfinity;
     const double distance = found ? hit.crossing.t : kInfinity;
     if (found && path.attenuation > 0) {
       const auto left = static_cast<float>(std::exp(-path.attenuation * distance));

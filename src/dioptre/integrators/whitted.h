@@ -29,6 +29,7 @@ class Whitted final : public RayIntegrator {
     double attenuation = 0;  ///< as LengthAttenuation has it
     RayPurpose purpose = RayPurpose::kCamera;
     MediaStack media;
+    double reach = kInfinity;  ///< how far the next surface may be; an eye ray may have a limit
   };
   /// What becomes of a path at a surface that lets light through.
   enum class Passage { kNone, kThrough, kMirrored };

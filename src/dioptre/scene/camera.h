@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "dioptre/core/vec.h"
 #include "dioptre/scene/ids.h"
+#include "dioptre/scene/mesh_camera.h"
 
 namespace dioptre {
 
@@ -19,6 +21,7 @@ struct Camera {
     kPanoramic,
     kCylinder,
     kSpherical,
+    kMesh,
   };
   Kind kind = Kind::kPerspective;
   Vec3 location;
@@ -36,7 +39,14 @@ struct Camera {
   double confidence = 0.9;
   double variance = 0.0078125;
   NormalId normal;
+  MeshCamera mesh;  ///< all that counts for the mesh kind
   bool operator==(const Camera&) const = default;
+
+  /// How far eye rays see.
+  double reach() const {
+    const bool limited = kind == Kind::kMesh && mesh.max_distance > 0;
+    return limited ? mesh.max_distance : std::numeric_limits<double>::infinity();
+  }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -56,6 +66,7 @@ struct Camera {
     visit("confidence", self.confidence);
     visit("variance", self.variance);
     visit("normal", self.normal);
+    visit("mesh", self.mesh);
   }
 };
 

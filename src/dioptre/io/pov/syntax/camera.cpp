@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // camera { ... }
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,9 @@
 
 namespace dioptre::pov {
 namespace {
+
+/// The most rays of a mesh camera's pixel.
+constexpr std::int64_t kMostRays = 1 << 20;
 
 /// Where a camera without look_at looks.
 constexpr Vec3 kDefaultTarget{0, 0, 1};
@@ -73,18 +77,57 @@ class CameraParser {
     }
   }
 
-  /// mesh_camera { SAMPLES, DISTRIBUTION mesh {...} ... [smooth] }: pixels on the faces of meshes.
+  /// mesh_camera { RAYS, DISTRIBUTION [, MAX_DISTANCE] mesh {...} ... [smooth] }
   void parse_mesh_camera() {
-    parser_.not_rendered("mesh_camera");
-    parser_.next();
+    const Parser::Nesting nesting(parser_);
+    kind(Kind::kMesh);
+    MeshCamera& mesh = camera_.mesh = {};
     parser_.expect('{', "to begin the camera's meshes");
+    mesh.rays_per_pixel = static_cast<std::uint32_t>(parse_whole(parser_, 1, kMostRays));
+    parser_.skip_comma();
+    mesh.distribution = static_cast<MeshCamera::Distribution>(parse_distribution());
+    parser_.skip_comma();
+    if (parser_.at_expression()) mesh.max_distance = std::max(0.0, parser_.parse_float());
     while (!parser_.accept('}')) {
-      parser_.skip_comma();
-      if (parser_.at_expression()) {
-        parser_.parse_float();
-      } else if (!parser_.accept(Keyword::kSmooth)) {
-        parse_object(parser_);
+      if (parser_.accept(Keyword::kSmooth)) {
+        mesh.smooth = true;
+      } else if (!parser_.accept(',')) {
+        parse_camera_mesh();
       }
+    }
+    check_mesh_camera();
+  }
+
+  std::int64_t parse_distribution() {
+    const SourcePosition where = parser_.position();
+    const std::int64_t number = parse_whole(parser_, -1, 4);
+    if (number < 0 || number > 3) {
+      parser_.fail_at(where, "the distribution of a mesh camera must be 0 to 3");
+    }
+    return number;
+  }
+
+  void parse_camera_mesh() {
+    const SourcePosition where = parser_.position();
+    const Item item = parse_object(parser_);
+    const auto* shape = std::get_if<ShapeData>(&item.object.geometry);
+    const Mesh* mesh = shape ? std::get_if<Mesh>(shape) : nullptr;
+    if (!mesh) parser_.fail_at(where, "a mesh camera looks out of meshes only");
+    camera_.mesh.meshes.push_back({mesh->data, item.object.transform});
+  }
+
+  void check_mesh_camera() {
+    const MeshCamera& mesh = camera_.mesh;
+    using Distribution = MeshCamera::Distribution;
+    if (mesh.meshes.empty()) parser_.fail("the mesh camera has no mesh");
+    if (mesh.distribution == Distribution::kEach && mesh.rays_per_pixel > mesh.meshes.size()) {
+      parser_.fail("with distribution 0 there must be a mesh for each ray of a pixel");
+    }
+    if (mesh.distribution >= Distribution::kSideBySide && mesh.rays_per_pixel > 1) {
+      parser_.fail("distributions 2 and 3 have one ray per pixel");
+    }
+    if (mesh.smooth && mesh.distribution != Distribution::kUv) {
+      parser_.fail("smooth is for distribution 3");
     }
   }
 
@@ -245,6 +288,10 @@ class CameraParser {
     camera_.direction = by.vector(camera_.direction);
     camera_.right = by.vector(camera_.right);
     camera_.up = by.vector(camera_.up);
+    // The z of location and direction alone count, as they are at the end (measured).
+    if (camera_.kind != Kind::kMesh) return;
+    camera_.mesh.offset = camera_.location.z;
+    camera_.mesh.backwards = camera_.direction.z < 0;
   }
 
   Parser& parser_;
@@ -261,6 +308,7 @@ bool has_direction(Vec3 v) { return length(v) > 0 && is_finite(v) && std::isfini
 
 /// Refuses a camera through which nothing can be seen.
 void check(Parser& parser, const Camera& camera, SourcePosition where) {
+  if (camera.kind == Camera::Kind::kMesh) return;
   if (!is_finite(camera.location)) {
     parser.fail_at(where, "the location of the camera is not finite");
   }

@@ -78,6 +78,36 @@ TEST(Camera, ThroughWhichNothingIsSeenIsAnError) {
   }
 }
 
+constexpr const char* kTwoMeshes =
+    "mesh { triangle { 0, x, y } } mesh { triangle { 0, x, y } translate z } ";
+
+TEST(Camera, OfMeshesTakesTheZOfLocationAndDirection) {
+  const Camera camera = camera_of(std::string("mesh_camera { 2 0 5 ") + kTwoMeshes +
+                                  "} location <7, 8, -0.5> direction -2*z");
+  EXPECT_EQ(camera.kind, Camera::Kind::kMesh);
+  EXPECT_EQ(camera.mesh.rays_per_pixel, 2u);
+  EXPECT_EQ(camera.mesh.distribution, MeshCamera::Distribution::kEach);
+  EXPECT_EQ(camera.mesh.max_distance, 5);
+  EXPECT_EQ(camera.reach(), 5);
+  EXPECT_EQ(camera.mesh.offset, -0.5);
+  EXPECT_TRUE(camera.mesh.backwards);
+  ASSERT_EQ(camera.mesh.meshes.size(), 2u);
+  EXPECT_EQ(camera.mesh.meshes[1].transform, translation({0, 0, 1}));
+}
+
+TEST(Camera, OfMeshesThatNothingCanBeSeenFromIsAnError) {
+  for (const auto& [contents, reason] :
+       {std::pair{std::string("1 0"), "the mesh camera has no mesh"},
+        std::pair{std::string("1 0 sphere { 0, 1 }"), "a mesh camera looks out of meshes only"},
+        std::pair{std::string("3 0 ") + kTwoMeshes, "there must be a mesh for each ray"},
+        std::pair{std::string("2 3 ") + kTwoMeshes, "distributions 2 and 3 have one ray"},
+        std::pair{std::string("1 4 ") + kTwoMeshes, "the distribution of a mesh camera"},
+        std::pair{std::string("1 0 ") + kTwoMeshes + "smooth", "smooth is for distribution 3"}}) {
+    const std::string text = said("camera { mesh_camera { " + contents + " } }");
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
+  }
+}
+
 TEST(Camera, ImpossibleOnesAreErrors) {
   EXPECT_EQ(said("camera { location 0 look_at 0 }"),
             "t.pov:2:21: error: the camera looks at its own location\n"
