@@ -29,11 +29,11 @@ int report_stop() {
   return kStopped;
 }
 
-int render_frame(const AppSettings& settings, std::int64_t frame) {
+int render_frame(const AppSettings& settings, std::int64_t frame, ProgressLine& line) {
   const std::optional<LoadedScene> loaded = load(settings, frame, &stop_asked);
   if (stop_asked) return report_stop();
   if (!loaded) return kFailure;
-  ProgressLine line(settings.verbose ? settings.progress : "none");
+  line.start();
   RenderContext context;
   context.cancel = &stop_asked;
   context.progress = [&](const RenderProgress& p) { line.update(p.done, p.rays.total()); };
@@ -60,8 +60,10 @@ int render_command(const AppSettings& settings) {
     const auto writable = check_output(settings, output_path(settings, frames.first));
     if (!writable) return report_error(writable.error().message);
   }
+  const std::int64_t count = (frames.last - frames.first) / frames.step + 1;
+  ProgressLine line(settings.verbose ? settings.progress : "none", count);
   for (std::int64_t frame = frames.first; frame <= frames.last; frame += frames.step) {
-    const int code = render_frame(settings, frame);
+    const int code = render_frame(settings, frame, line);
     if (code != kSuccess) return code;
   }
   return kSuccess;
