@@ -6,7 +6,8 @@ beginning before it is a scene of its own. NAME.ppm.gz beside it holds POV-Ray's
 32x24 each, one below the other, and NAME.txt what POV-Ray says for `#debug "= ..."`. A piece whose
 name ends with (fails) is an error in POV-Ray too; of one with (parses) the picture is not compared,
 nor is it while the program says that something in it is not rendered yet.
-With the argument --measure, POV-Ray renders all and the files are written anew.
+With the arguments --measure NAME..., POV-Ray renders the pieces of those files (or of all) and their
+references are written anew.
 """
 
 import gzip
@@ -14,6 +15,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -83,9 +85,11 @@ class Language(ProgramTest):
             self.assertLessEqual(differing(picture, expected), DIFFERENT)
 
 
-def measure(folder):
+def measure(folder, names):
     """Writes the references with the POV-Ray that is installed."""
     for path in sorted(FOLDER.glob("*.pov")):
+        if names and path.stem not in names:
+            continue
         pictures, words = [], []
         for name, scene in pieces(path):
             shutil.rmtree(folder, ignore_errors=True)
@@ -107,7 +111,8 @@ def measure(folder):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--measure"]:
-        measure(Path("/tmp/language-reference"))
+    if sys.argv[1:2] == ["--measure"]:
+        with tempfile.TemporaryDirectory() as scratch:
+            measure(Path(scratch) / "reference", sys.argv[2:])
     else:
         unittest.main()

@@ -80,6 +80,7 @@ double srgb_decode(double value) {
 float to_linear(float value, const Settings& settings) {
   if (!(value > 0)) return 0;
   if (!settings.gamma_correction || settings.assumed_gamma == 1) return value;
+  if (settings.assumed_gamma == 0) return static_cast<float>(srgb_decode(value));
   return static_cast<float>(std::pow(double{value}, settings.assumed_gamma));
 }
 

@@ -20,7 +20,8 @@ struct DisplayOptions {
 double srgb_encode(double light);
 double srgb_decode(double value);
 
-/// The linear light of a value of the scene: value^assumed_gamma; negative values give 0.
+/// The linear light of a value of the scene: value^assumed_gamma, or by the sRGB curve; negative
+/// values give 0.
 float to_linear(float value, const Settings& settings);
 
 /// The whole picture in linear light, for files that hold that. Alpha stays as it is.

@@ -9,7 +9,7 @@ namespace dioptre {
 
 /// What holds for the whole scene.
 struct Settings {
-  double assumed_gamma = 1;
+  double assumed_gamma = 1;  ///< 0: the sRGB curve
   bool gamma_correction =
       true;  ///< false: old scenes without assumed_gamma; values go to files as they are
   Color ambient_light{1, 1, 1};

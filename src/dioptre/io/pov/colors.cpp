@@ -10,6 +10,14 @@ namespace {
 /// From the encoding of displays to linear light (IEC 61966-2-1).
 double decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
+/// From a value in the encoding of displays to one of the scene.
+double of_scene(double v, const Settings& settings) {
+  if (settings.assumed_gamma == 0) return v;
+  const double light = decoded(v);
+  if (settings.assumed_gamma == 1 || !(light > 0)) return light;
+  return std::pow(light, 1 / settings.assumed_gamma);
+}
+
 bool names_component(Keyword k) {
   return k == Keyword::kRed || k == Keyword::kGreen || k == Keyword::kBlue ||
          k == Keyword::kFilter || k == Keyword::kTransmit || k == Keyword::kAlpha;
@@ -32,7 +40,7 @@ bool begins_vector(Keyword k) {
 }
 
 /// How a vector after `rgbt` and the like becomes five components.
-Numeric arranged(Keyword k, const Numeric& n) {
+Numeric arranged(Keyword k, const Numeric& n, const Settings& settings) {
   const bool filter = k == Keyword::kRgbf || k == Keyword::kSrgbf;
   const bool transmit = k == Keyword::kRgbt || k == Keyword::kSrgbt;
   const bool both = k == Keyword::kRgbft || k == Keyword::kSrgbft;
@@ -46,7 +54,7 @@ Numeric arranged(Keyword k, const Numeric& n) {
   color.color = true;
   if (k == Keyword::kSrgb || k == Keyword::kSrgbf || k == Keyword::kSrgbt ||
       k == Keyword::kSrgbft) {
-    for (std::size_t i = 0; i < 3; ++i) color.v[i] = decoded(color.v[i]);
+    for (std::size_t i = 0; i < 3; ++i) color.v[i] = of_scene(color.v[i], settings);
   }
   return color;
 }
@@ -82,7 +90,7 @@ Numeric Interpreter::color_factor() {
                      : Keyword::kNotAKeyword;
   if (begins_vector(k)) {
     next();
-    return arranged(k, sum());
+    return arranged(k, sum(), scene_.settings);
   }
   Numeric color;
   color.size = 5;

@@ -46,16 +46,10 @@ bool parse_fog_item(Parser& parser, Fog& fog) {
   }
 }
 
+/// Only the direction of a fog is transformed, not its height (measured).
 void transform_fog(Fog& fog, const Affine& by) {
-  const double before = length(fog.up);
   const Vec3 up = by.vector(fog.up);
-  const double after = length(up);
-  if (before == 0 || after == 0) return;
-  const Vec3 base = by.point(fog.up * (fog.offset / before));
-  const double scale = after / before;
-  fog.up = up / after;
-  fog.offset = dot(base, fog.up);
-  fog.altitude *= scale;
+  if (length(up) > 0) fog.up = normalize(up);
 }
 
 /// Reads the contents of one rainbow.

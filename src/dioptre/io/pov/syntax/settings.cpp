@@ -5,12 +5,9 @@
 namespace dioptre::pov {
 namespace {
 
-/// The power that stands for the sRGB curve in `assumed_gamma srgb`.
-constexpr double kSrgbGamma = 2.2;
-
 void parse_assumed_gamma(Parser& parser, Settings& settings) {
   if (parser.accept(Keyword::kSrgb)) {
-    settings.assumed_gamma = kSrgbGamma;
+    settings.assumed_gamma = 0;
     return;
   }
   const SourcePosition where = parser.position();
