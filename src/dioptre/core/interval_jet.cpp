@@ -23,7 +23,17 @@ IntervalJet chain(const IntervalJet& a, Interval value, Interval derivative) {
   return {value, derivative * a.slope};
 }
 
+/// c a for a number c.
+IntervalJet multiply(double c, const IntervalJet& a) {
+  if (c > 0) {
+    return {widen({c * a.value.min, c * a.value.max}), widen({c * a.slope.min, c * a.slope.max})};
+  }
+  return {widen({c * a.value.max, c * a.value.min}), widen({c * a.slope.max, c * a.slope.min})};
+}
+
 IntervalJet multiply(const IntervalJet& a, const IntervalJet& b) {
+  if (is_constant(a) && is_point(a.value) && a.value.min != 0) return multiply(a.value.min, b);
+  if (is_constant(b) && is_point(b.value) && b.value.min != 0) return multiply(b.value.min, a);
   return {a.value * b.value, a.value * b.slope + b.value * a.slope};
 }
 

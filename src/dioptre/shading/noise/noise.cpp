@@ -85,6 +85,16 @@ bool in_reach(Vec3 p) {
   return a.x < 0x1p40 && a.y < 0x1p40 && a.z < 0x1p40;
 }
 
+}  // namespace
+
+std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto& h = kTables.hash;
+  const auto wrap = [](std::int64_t i) { return static_cast<std::uint32_t>(i) & 4095u; };
+  return h[h[h[wrap(x)] ^ wrap(y)] ^ wrap(z)];
+}
+
+namespace {
+
 /// Four numbers that are worked on at once: the terms of a lattice point's linear function.
 using Terms = double __attribute__((vector_size(32)));
 
@@ -175,34 +185,34 @@ double gradient_noise(Vec3 p, Vec3* gradient = nullptr) {
   return 0.4925 + 0.795 * sum;
 }
 
+constexpr double sum_of(Terms t) { return (t[0] + t[1]) + (t[2] + t[3]); }
+
 /// The first component of the lattice noise and its gradient.
-double lattice_noise_and_gradient(Vec3 p, Vec3& gradient) {
+[[gnu::always_inline]] inline double lattice_noise_and_gradient(Vec3 p, Vec3& gradient) {
   if (!in_reach(p)) p = {};
   const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
   const Vec3 offset{p.x - fx, p.y - fy, p.z - fz};
   const auto cell = [](double floor) { return static_cast<std::int64_t>(floor) + kLatticeShift; };
-  double value[8];
-  Vec3 slope[8];
-  for (std::uint32_t c = 0; c < 8; ++c) {
-    const std::uint32_t x = c >> 2, y = c >> 1 & 1, z = c & 1;
+  const Terms first{0.5, offset.x, offset.y, offset.z};
+  Terms values[8], slopes[8];  // a value is the sum of four terms; lane 0 of a slope means nothing
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const std::uint32_t x = corner >> 2, y = corner >> 1 & 1, z = corner & 1;
     const std::uint32_t hashed = cell_hash(cell(fx) + x, cell(fy) + y, cell(fz) + z);
-    const double* corner = &kLatticeValues[hashed & 255u];
-    slope[c] = {corner[1], corner[2], corner[3]};
-    value[c] = 0.5 * corner[0] + dot(slope[c], offset - Vec3{1.0 * x, 1.0 * y, 1.0 * z});
+    std::memcpy(&slopes[corner], &kLatticeValues[hashed & 255u], sizeof(Terms));
+    values[corner] = slopes[corner] * (first - Terms{0, 1.0 * x, 1.0 * y, 1.0 * z});
   }
   const double at[3] = {offset.z, offset.y, offset.x};
-  const Vec3 axes[3] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const double share = fade(at[axis]), share_slope = fade_slope(at[axis]);
     for (std::uint32_t i = 0; i < 4u >> axis; ++i) {
-      const double step = value[2 * i + 1] - value[2 * i];
-      slope[i] = slope[2 * i] + share * (slope[2 * i + 1] - slope[2 * i]) +
-                 share_slope * step * axes[axis];
-      value[i] = value[2 * i] + share * step;
+      const Terms step = values[2 * i + 1] - values[2 * i];
+      slopes[i] = slopes[2 * i] + share * (slopes[2 * i + 1] - slopes[2 * i]);
+      slopes[i][3 - axis] += share_slope * sum_of(step);
+      values[i] = values[2 * i] + share * step;
     }
   }
-  gradient = slope[0];
-  return value[0];
+  gradient = {slopes[0][1], slopes[0][2], slopes[0][3]};
+  return sum_of(values[0]);
 }
 
 }  // namespace
@@ -216,7 +226,7 @@ DIOPTRE_WIDE double noise(Vec3 p, NoiseGenerator generator) {
   return std::clamp(n, 0.0, 1.0);
 }
 
-double unclipped_noise(Vec3 p, NoiseGenerator generator, Vec3& gradient) {
+DIOPTRE_WIDE double unclipped_noise(Vec3 p, NoiseGenerator generator, Vec3& gradient) {
   if (generator == NoiseGenerator::kPerlin) return gradient_noise(p, &gradient);
   const double raw = lattice_noise_and_gradient(p, gradient);
   if (generator == NoiseGenerator::kOriginal) return raw + 0.5;
@@ -257,12 +267,6 @@ double scalar_turbulence(Vec3 p, const Octaves& octaves, NoiseGenerator generato
     scale *= octaves.lambda;
   }
   return sum;
-}
-
-std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int64_t z) {
-  const auto& h = kTables.hash;
-  const auto wrap = [](std::int64_t i) { return static_cast<std::uint32_t>(i) & 4095u; };
-  return h[h[h[wrap(x)] ^ wrap(y)] ^ wrap(z)];
 }
 
 double random_value(std::uint32_t index) { return kTables.random[index]; }

@@ -6,19 +6,19 @@
 namespace dioptre {
 namespace {
 
-/// Bounds of the gradient and of its change per distance: what six million random points show, and
-/// a fifth more.
+/// Bounds of the gradient and of its change per distance, which are what six million random points
+/// show and a fifth more, and of the rounding of the noise.
 struct Bounds {
-  double gradient, bend;
+  double gradient, bend, rounding;
 };
 constexpr Bounds bounds_of(NoiseGenerator generator) {
   switch (generator) {
     case NoiseGenerator::kOriginal:
-      return {3.4, 13};
+      return {3.4, 13, 1e-14};
     case NoiseGenerator::kRangeCorrected:
-      return {1.7, 7};
+      return {1.7, 7, 1e-14};
     default:
-      return {1.85, 8};
+      return {1.85, 8, 1e-8};  // its points are shifted by 1e7
   }
 }
 
@@ -41,15 +41,16 @@ IntervalJet noise_range(const IntervalJet& x, const IntervalJet& y, const Interv
   const Interval any_slope = steepest < kInfinity ? Interval{-steepest, steepest} : Interval::all();
   const Vec3 half{half_width(x.value), half_width(y.value), half_width(z.value)};
   const double radius = length(half);
-  // Beyond a radius of 1 the bounds of the whole are the better ones.
-  if (!(radius < 1)) return {whole, any_slope};
+  // In larger balls there is next to everything that there is.
+  constexpr double kLargestRadius = 0.4;
+  if (!(radius < kLargestRadius)) return {whole, any_slope};
   Vec3 gradient;
   const Vec3 centre{x.value.min + half.x, y.value.min + half.y, z.value.min + half.z};
   const double value = unclipped_noise(centre, generator, gradient);
   const double turn = bounds.bend * radius;
   const double reach =
       std::min(bounds.gradient * radius, dot(abs(gradient), half) + 0.5 * turn * radius);
-  Interval range = around(value, reach + 1e-15);
+  Interval range = around(value, reach + bounds.rounding);
   Interval slope = around(gradient.x, turn) * x.slope + around(gradient.y, turn) * y.slope +
                    around(gradient.z, turn) * z.slope;
   slope = intersect(slope, any_slope);
