@@ -296,4 +296,14 @@ IntervalJet select(const IntervalJet& a, const IntervalJet& negative, const Inte
   return {value, Interval::all()};
 }
 
+IntervalJet norm(const IntervalJet& x, const IntervalJet& y, const IntervalJet& z) {
+  const Interval value = sqrt(square(x.value) + square(y.value) + square(z.value));
+  const Interval speed = sqrt(square(abs(x.slope)) + square(abs(y.slope)) + square(abs(z.slope)));
+  const Interval steepest{-speed.max, speed.max};
+  if (!(value.min > 0)) return {value, steepest};
+  const Interval along = x.value * x.slope + y.value * y.slope + z.value * z.slope;
+  const Interval slope = intersect(along / value, steepest);
+  return {value, slope.empty() ? steepest : slope};
+}
+
 }  // namespace dioptre

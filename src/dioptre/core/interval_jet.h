@@ -26,4 +26,7 @@ IntervalJet evaluate_operator(Step::Code code, const IntervalJet& a, const Inter
 IntervalJet select(const IntervalJet& a, const IntervalJet& negative, const IntervalJet& zero,
                    const IntervalJet& positive);
 
+/// The jet of sqrt(x^2 + y^2 + z^2), which is nowhere steeper than (x, y, z) moves.
+IntervalJet norm(const IntervalJet& x, const IntervalJet& y, const IntervalJet& z);
+
 }  // namespace dioptre

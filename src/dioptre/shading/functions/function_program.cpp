@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "dioptre/core/expression_eval.h"
@@ -64,6 +65,11 @@ void FunctionProgram::run(double* registers) const {
       case Kind::kSquare:
         *out = registers[i.a] * registers[i.a];
         break;
+      case Kind::kNorm: {
+        const double x = registers[i.a], y = registers[i.b], z = registers[i.c];
+        *out = std::sqrt(x * x + y * y + z * z);
+        break;
+      }
       case Kind::kSelect: {
         const double sign = registers[i.a];
         *out = registers[sign < 0 ? i.b : sign > 0 ? i.extra : i.c];
@@ -128,6 +134,9 @@ void FunctionProgram::run(IntervalJet* registers) const {
         *out = {square(a.value), (a.value + a.value) * a.slope};
         break;
       }
+      case Kind::kNorm:
+        *out = norm(registers[i.a], registers[i.b], registers[i.c]);
+        break;
       case Kind::kSelect:
         *out = select(registers[i.a], registers[i.b], registers[i.c], registers[i.extra]);
         break;

@@ -19,6 +19,7 @@ class FunctionProgram final : public ScalarField {
   enum class Kind : std::uint8_t {
     kOperator,
     kSquare,
+    kNorm,    ///< of (a, b, c)
     kSelect,  ///< as Step::Code::kSelect
     kNoise,   ///< of generator number `extra` at (a, b, c)
     kCall,    ///< of a function that is no formula, with arguments[a .. a+b)

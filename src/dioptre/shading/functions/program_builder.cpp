@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/shading/functions/program_builder.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "dioptre/core/expression_eval.h"
@@ -48,9 +49,38 @@ ProgramBuilder::Value ProgramBuilder::add(Draft draft) {
 ProgramBuilder::Value ProgramBuilder::apply(Code code, Value a, Value b) {
   const auto p = known(a), q = known(b);
   if (p && q) return constant(evaluate_operator(code, *p, *q));
+  if (code == Code::kSqrt) return root(a);
   const bool squares = (code == Code::kMultiply && a == b) || (code == Code::kPow && q == 2.0);
   if (squares) return add({Kind::kSquare, code, {a}});
   return add({Kind::kOperator, code, {a, b}});
+}
+
+const ProgramBuilder::Draft* ProgramBuilder::draft_of(Value v, Kind kind, Code code) const {
+  if (v.from != Value::From::kInstruction) return nullptr;
+  const Draft& draft = drafts_[v.index];
+  return draft.kind == kind && (kind == Kind::kSquare || draft.code == code) ? &draft : nullptr;
+}
+
+/// What is squared in x^2 + y^2 + z^2 or the first terms of it, in order.
+bool ProgramBuilder::add_squares(Value sum, std::vector<Value>& out) const {
+  if (const Draft* square = draft_of(sum, Kind::kSquare, Code::kMultiply)) {
+    out.push_back(square->operands[0]);
+    return true;
+  }
+  const Draft* both = draft_of(sum, Kind::kOperator, Code::kAdd);
+  if (!both || out.size() > 3) return false;
+  const bool ends = draft_of(both->operands[1], Kind::kSquare, Code::kMultiply) != nullptr;
+  return ends && add_squares(both->operands[0], out) && add_squares(both->operands[1], out);
+}
+
+/// A square root, or the norm whose square a is.
+ProgramBuilder::Value ProgramBuilder::root(Value a) {
+  std::vector<Value> v;
+  if (!add_squares(a, v) || v.size() < 2 || v.size() > 3) {
+    return add({Kind::kOperator, Code::kSqrt, {a, constant(0)}});
+  }
+  if (v.size() == 2) v.push_back(constant(0));
+  return add({Kind::kNorm, Code::kSqrt, std::move(v)});
 }
 
 ProgramBuilder::Value ProgramBuilder::select(const Value (&operands)[4]) {
@@ -122,10 +152,35 @@ std::uint32_t ProgramBuilder::place(Value v) const {
   return constants + parameter_count_ + v.index;
 }
 
+/// The instructions that the result needs, with their operands renumbered, and the result's.
+std::vector<ProgramBuilder::Draft> ProgramBuilder::needed_drafts(Value& result) const {
+  std::vector<bool> needed(drafts_.size());
+  const auto need = [&](Value v) {
+    if (v.from == Value::From::kInstruction) needed[v.index] = true;
+  };
+  need(result);
+  for (std::size_t i = drafts_.size(); i-- > 0;) {
+    if (needed[i]) std::for_each(drafts_[i].operands.begin(), drafts_[i].operands.end(), need);
+  }
+  std::vector<Draft> out;
+  std::vector<std::uint32_t> places(drafts_.size());
+  const auto renumber = [&](Value& v) {
+    if (v.from == Value::From::kInstruction) v.index = places[v.index];
+  };
+  for (std::size_t i = 0; i < drafts_.size(); ++i) {
+    if (!needed[i]) continue;
+    places[i] = static_cast<std::uint32_t>(out.size());
+    out.push_back(drafts_[i]);
+    std::for_each(out.back().operands.begin(), out.back().operands.end(), renumber);
+  }
+  renumber(result);
+  return out;
+}
+
 FunctionProgram::Code ProgramBuilder::finish(Value result) {
   FunctionProgram::Code code;
   code.parameter_count = parameter_count_;
-  for (const Draft& draft : drafts_) {
+  for (const Draft& draft : needed_drafts(result)) {
     Instruction i{draft.kind, draft.code, 0, 0, 0, draft.extra, draft.function};
     std::vector<std::uint32_t> places;
     for (const Value v : draft.operands) places.push_back(place(v));

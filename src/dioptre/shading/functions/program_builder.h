@@ -56,6 +56,10 @@ class ProgramBuilder {
   /// A built-in function by the formula for it, if there is one (internal_formulas.cpp).
   std::optional<Value> internal(std::uint32_t number, std::span<const Value> arguments);
   std::optional<double> known(Value v) const;
+  const Draft* draft_of(Value v, Kind kind, Step::Code code) const;
+  bool add_squares(Value sum, std::vector<Value>& out) const;
+  Value root(Value a);
+  std::vector<Draft> needed_drafts(Value& result) const;
   std::uint32_t place(Value v) const;
 
   const FunctionTable& table_;
