@@ -104,7 +104,7 @@ isosurface { function { x*x + y*y + z*z*z*z - 1 } contained_by { box { -1.5, 1.5
 parametric { function { sin(u)*cos(v) }, function { sin(u)*sin(v) }, function { cos(u) } <0,0>, <pi,2*pi> contained_by { box { -1.1, 1.1 } } max_gradient 1.5 accuracy .001 precompute 8 x, y, z }
 // -- julia_fractal
 julia_fractal { <-.083,0,-.83,-.025> quaternion sqr max_iteration 6 precision 20 }
-// -- hypercomplex julia_fractal
+// -- hypercomplex julia_fractal (parses)
 julia_fractal { <-.6,.2,.1,0> hypercomplex exp max_iteration 4 precision 20 slice <0,0,0,1>, .1 }
 // -- ovus
 ovus { 1, .6 } ovus { .6, .9 translate 1.7*x }

@@ -86,6 +86,26 @@ HeightField height_field(double water_level, bool smooth) {
   return {grid, water_level, smooth};
 }
 
+/// A curled sheet whose first row is one point.
+BicubicPatch patch(double flatness) {
+  BicubicPatch p{{}, 3, 2, flatness, {}};
+  for (std::size_t i = 0; i < 16; ++i) {
+    const double column = static_cast<double>(i % 4), row = static_cast<double>(i / 4);
+    p.points[i] = {column * row / 4, row, 0.3 * static_cast<double>(i * 7 % 5) * row};
+  }
+  return p;
+}
+
+JuliaFractal julia(JuliaAlgebra algebra, JuliaFunction function, std::uint32_t iterations) {
+  JuliaFractal j;
+  j.parameter = {-0.083, 0.1, -0.63, -0.025};
+  j.algebra = algebra;
+  j.function = function;
+  j.max_iteration = iterations;
+  j.precision = 2000;  // so that no part is missed
+  return j;
+}
+
 Text text() {
   Text t;
   t.font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
@@ -292,6 +312,22 @@ void add_others(std::vector<ShapeSample>& all) {
   add("HeightField", height_field(0, false));
   add("FloodedHeightField", height_field(0.4, true));
   add("Text", text());
+  add("BicubicPatch", patch(0));
+  add("FlatBicubicPatch", patch(0.1));
+}
+
+void add_fractals(std::vector<ShapeSample>& all) {
+  const auto add = [&](std::string name, ShapeData data) { all.push_back({name, data}); };
+  constexpr auto kQuaternion = JuliaAlgebra::kQuaternion;
+  constexpr auto kHypercomplex = JuliaAlgebra::kHypercomplex;
+  add("Julia", julia(kQuaternion, JuliaFunction::kSqr, 6));
+  add("CubicJulia", julia(kQuaternion, JuliaFunction::kCube, 4));
+  add("HypercomplexJulia", julia(kHypercomplex, JuliaFunction::kSqr, 4));
+  add("JuliaOfExponentials", julia(kHypercomplex, JuliaFunction::kExp, 2));
+  JuliaFractal sliced = julia(kQuaternion, JuliaFunction::kSqr, 5);
+  sliced.slice_normal = {0.3, -0.2, 0.4, 0.8};
+  sliced.slice_distance = 0.1;
+  add("SlicedJulia", sliced);
 }
 
 }  // namespace
@@ -302,6 +338,7 @@ std::vector<ShapeSample> shape_samples() {
   add_quartics(all);
   add_others(all);
   add_isosurfaces(all);
+  add_fractals(all);
   return all;
 }
 

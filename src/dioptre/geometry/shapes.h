@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "dioptre/geometry/bicubic_patch/bicubic_patch.h"
 #include "dioptre/geometry/blob/blob.h"
 #include "dioptre/geometry/box/box.h"
 #include "dioptre/geometry/cone/cone.h"
@@ -10,6 +11,7 @@
 #include "dioptre/geometry/disc/disc.h"
 #include "dioptre/geometry/height_field/height_field.h"
 #include "dioptre/geometry/isosurface/isosurface.h"
+#include "dioptre/geometry/julia_fractal/julia_fractal.h"
 #include "dioptre/geometry/lathe/lathe.h"
 #include "dioptre/geometry/mesh/mesh.h"
 #include "dioptre/geometry/ovus/ovus.h"
@@ -30,9 +32,10 @@ namespace dioptre {
 
 /// The one list of primitives. A new primitive adds its folder and its name here; laws, JSON and
 /// the compiler then know it.
-using ShapeData = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly,
-                               Triangle, Mesh, Polygon, Prism, Blob, Text, Superellipsoid, Lathe,
-                               Sor, SphereSweep, Ovus, HeightField, Isosurface>;
+using ShapeData =
+    std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Disc, Quadric, Poly, Triangle, Mesh,
+                 Polygon, Prism, Blob, Text, Superellipsoid, Lathe, Sor, SphereSweep, Ovus,
+                 HeightField, Isosurface, BicubicPatch, JuliaFractal>;
 
 /// Prepares whichever primitive it is; those that have a `prepare` with options are told them.
 inline Result<ShapePtr> prepare_with(const ShapeOptions& options, const ShapeData& data) {

@@ -27,11 +27,10 @@ class SolidBuilder {
 
  private:
   Result<std::int32_t> add_leaf(ObjectId id, const Inherited& own, bool complement) {
-    auto shape = shapes_.shape(id);
-    if (!shape) return tl::unexpected(shape.error());
-    const auto to_object = inverse(own.to_world);
-    if (!to_object) return fail("an object is flattened by a singular transform");
-    description.leaves.push_back({*shape, {own.to_world, *to_object}, complement});
+    auto leaf = place(id, own.to_world);
+    if (!leaf) return tl::unexpected(leaf.error());
+    leaf->complement = complement;
+    description.leaves.push_back(*leaf);
     parts.push_back({.object = id,
                      .texture = own.texture,
                      .interior_texture = own.interior_texture,
@@ -44,6 +43,17 @@ class SolidBuilder {
                      .global_lights = own.global_lights});
     textures.push_back({own.texture_to_world, own.to_world});
     return ~static_cast<std::int32_t>(description.leaves.size() - 1);
+  }
+
+  Result<csg::Leaf> place(ObjectId id, const Affine& to_world) {
+    const auto& geometry = std::get<ShapeData>(at(scene_.objects, id).geometry);
+    const auto* patch = std::get_if<BicubicPatch>(&geometry);
+    auto shape = patch ? shapes_.patch(*patch, to_world) : shapes_.shape(id);
+    if (!shape) return tl::unexpected(shape.error());
+    if (patch) return csg::Leaf{*shape, {}};
+    const auto to_object = inverse(to_world);
+    if (!to_object) return fail("an object is flattened by a singular transform");
+    return csg::Leaf{*shape, {to_world, *to_object}};
   }
 
   Result<std::int32_t> add_csg(const Csg& csg, const Inherited& own, bool complement) {
@@ -131,6 +141,13 @@ Result<const Shape*> PreparedShapes::shape(ObjectId id) {
     shapes_.push_back(std::move(*prepared));
   }
   return known;
+}
+
+Result<const Shape*> PreparedShapes::patch(const BicubicPatch& patch, const Affine& to_world) {
+  auto prepared = prepare(transformed(patch, to_world), {accelerator_});
+  if (!prepared) return tl::unexpected(prepared.error());
+  shapes_.push_back(std::move(*prepared));
+  return shapes_.back().get();
 }
 
 Result<Solid> build_solid(const Scene& scene, PreparedShapes& shapes, ObjectId id,

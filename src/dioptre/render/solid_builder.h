@@ -40,6 +40,8 @@ class PreparedShapes {
   const std::string& accelerator() const { return accelerator_; }
   /// The primitive of an object whose geometry is a ShapeData.
   Result<const Shape*> shape(ObjectId id);
+  /// A patch that is prepared in the world, where its flatness is measured (measured).
+  Result<const Shape*> patch(const BicubicPatch& patch, const Affine& to_world);
   /// What `object` hands down in its turn. An interior of its own is a medium of its own, even if
   /// another object has the same one (measured).
   Inherited inherit(const Inherited& from, const Object& object);

@@ -82,6 +82,8 @@ void parse_blob(Parser& parser, Item& item);
 std::optional<OutlineSpline> parse_outline_spline(Parser& parser);
 void parse_prism(Parser& parser, Item& item);
 void parse_height_field(Parser& parser, Item& item);
+BicubicPatch parse_bicubic_patch(Parser& parser);
+JuliaFractal parse_julia_fractal(Parser& parser);
 
 // --- lights, camera, surroundings ---------------------------------------------------------------
 Item parse_light(Parser& parser);

@@ -182,9 +182,41 @@ TEST(Csg, LightsOfAUnionShineInTheWorldWhereItIsPut) {
 }
 
 TEST(Csg, ShapesThatAreNotRenderedAreLeftOutWithANotice) {
-  const std::string program = "union { sphere { 0, 1 } julia_fractal { <.1, .2, .3, .4> } }";
+  const std::string program =
+      "union { sphere { 0, 1 } parametric { function { u } function { v } function { u*v } "
+      "<0, 0>, <1, 1> } }";
   EXPECT_EQ(std::get<Csg>(root_of(program).geometry).children.size(), 1u);
-  EXPECT_NE(said(program).find("julia_fractal is not rendered yet: ignored"), std::string::npos);
+  EXPECT_NE(said(program).find("parametric is not rendered yet: ignored"), std::string::npos);
+}
+
+TEST(Shapes, JuliaFractalsAndPatchesAreReadWithTheirModifiersInAnyOrder) {
+  JuliaFractal julia;
+  julia.parameter = {0.1, 0.2, 0.3, 0.4};
+  EXPECT_EQ(shape_of<JuliaFractal>("julia_fractal { <.1, .2, .3, .4> }"), julia);
+  julia.algebra = JuliaAlgebra::kHypercomplex;
+  julia.function = JuliaFunction::kPwr;
+  julia.exponent = {2, -1};
+  julia.max_iteration = 5;
+  julia.precision = 1;
+  julia.slice_normal = {0, 1, 0, 2};
+  julia.slice_distance = 0.5;
+  EXPECT_EQ(shape_of<JuliaFractal>("julia_fractal { <.1, .2, .3, .4> pwr(2, -1) precision 0.1 "
+                                   "slice <0, 1, 0, 2>, 0.5 max_iteration 5 hypercomplex }"),
+            julia);
+  EXPECT_NE(said("julia_fractal { <.1, .2, .3, .4> sin }").find("write hypercomplex"),
+            std::string::npos);
+  BicubicPatch patch;
+  patch.points.fill({1, 2, 3});
+  patch.u_steps = 3;
+  patch.v_steps = 2;
+  patch.flatness = 0.25;
+  patch.uv_corners = {Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 1}, Vec2{1, 0}};
+  std::string points;
+  for (int i = 0; i < 16; ++i) points += ", <1, 2, 3>";
+  EXPECT_EQ(shape_of<BicubicPatch>("bicubic_patch { v_steps 2 type 0 flatness 0.25 u_steps 3 "
+                                   "uv_vectors <0, 0> <0, 1> <1, 1> <1, 0>" +
+                                   points + " }"),
+            patch);
 }
 
 TEST(Lights, LooksLikeStandsAtTheLightAndCastsNoShadow) {

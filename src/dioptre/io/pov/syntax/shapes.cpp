@@ -212,6 +212,10 @@ bool parse_shape(Parser& parser, Keyword keyword, Item& item) {
     case Keyword::kHeightField:
       parse_height_field(parser, item);
       return true;
+    case Keyword::kBicubicPatch:
+      return set(parse_bicubic_patch(parser));
+    case Keyword::kJuliaFractal:
+      return set(parse_julia_fractal(parser));
     default:
       return parse_composite_shape(parser, keyword, item) ||
              parse_function_shape(parser, keyword, item) ||

@@ -18,56 +18,6 @@ void skip_float(Parser& parser) {
   parser.parse_float();
   parser.skip_comma();
 }
-void skip_vector(Parser& parser) {
-  parser.parse_vec3();
-  parser.skip_comma();
-}
-
-void parse_bicubic_patch(Parser& parser) {
-  for (;;) {
-    if (accept_any(parser,
-                   {Keyword::kType, Keyword::kFlatness, Keyword::kUSteps, Keyword::kVSteps})) {
-      parser.parse_float();
-    } else if (parser.accept(Keyword::kUvVectors)) {
-      for (int i = 0; i < 4; ++i) {
-        parser.parse_vec2();
-        parser.skip_comma();
-      }
-    } else if (!parser.accept(',')) {
-      break;
-    }
-  }
-  for (int i = 0; i < 16; ++i) skip_vector(parser);
-}
-
-/// The kinds of quaternion formulas are words that stand alone.
-void parse_julia_fractal(Parser& parser) {
-  parser.parse_numeric();
-  for (;;) {
-    if (accept_any(parser, {Keyword::kMaxIteration, Keyword::kPrecision})) {
-      parser.parse_float();
-    } else if (parser.accept(Keyword::kSlice)) {
-      parser.parse_numeric();
-      parser.skip_comma();
-      parser.parse_float();
-    } else if (parser.accept(Keyword::kPwr)) {
-      parser.expect('(', "after pwr");
-      parser.parse_float();
-      parser.skip_comma();
-      parser.parse_float();
-      parser.expect(')', "after the exponent");
-    } else if (!parser.accept(',') &&
-               !accept_any(
-                   parser,
-                   {Keyword::kQuaternion, Keyword::kHypercomplex, Keyword::kSqr, Keyword::kCube,
-                    Keyword::kExp,        Keyword::kReciprocal,   Keyword::kSin, Keyword::kAsin,
-                    Keyword::kSinh,       Keyword::kAsinh,        Keyword::kCos, Keyword::kAcos,
-                    Keyword::kCosh,       Keyword::kAcosh,        Keyword::kTan, Keyword::kAtan,
-                    Keyword::kTanh,       Keyword::kAtanh,        Keyword::kLn,  Keyword::kLog})) {
-      return;
-    }
-  }
-}
 
 void parse_functions(Parser& parser, int count) {
   for (int i = 0; i < count; ++i) {
@@ -102,12 +52,6 @@ bool parse_unrendered_shape(Parser& parser, Keyword keyword, Item& item) {
   parser.not_rendered(text_of(keyword));
   item.drawn = false;
   switch (keyword) {
-    case Keyword::kBicubicPatch:
-      parse_bicubic_patch(parser);
-      return true;
-    case Keyword::kJuliaFractal:
-      parse_julia_fractal(parser);
-      return true;
     case Keyword::kParametric:
       parse_parametric(parser);
       return true;
