@@ -27,7 +27,9 @@ SurfaceInteraction see(const RenderScene& scene, const Ray& ray, const Hit& hit,
 }
 
 LocalLight::LocalLight(const RenderScene& scene, const IntegratorOptions& options)
-    : direct_(scene, options), ambient_light_(scene.scene().settings.ambient_light) {}
+    : direct_(scene, options),
+      ambient_light_(scene.scene().settings.ambient_light),
+      films_(scene.scene().settings) {}
 
 Color LocalLight::at(const SeenPoint& point, RayLog& log) const {
   Color radiance;
@@ -54,8 +56,14 @@ Color LocalLight::of_source(const LightSource& light, const SeenPoint& point, Ra
   for (std::uint32_t i = 0; i < point.stack.count; ++i) {
     const SurfaceLayer& layer = point.layer(i);
     const LightGeometry geometry{layer.normal, -point.direction, illumination->to_light};
-    const ReflectedLight own =
+    ReflectedLight own =
         reflected_light(layer, geometry, at.part->double_illuminate, light.light().shadowless);
+    if (layer.finish->irid != 0) {
+      const double cosines = dot(layer.normal, geometry.to_light + geometry.to_viewer);
+      const Color tint = films_.tint(*layer.finish, at.surface.position, cosines);
+      own.diffuse *= tint;
+      own.highlights *= tint;
+    }
     reflected.diffuse += filter * own.diffuse;
     reflected.highlights += filter * own.highlights;
     filter *= layer.pigment.transmittance();

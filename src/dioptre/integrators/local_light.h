@@ -4,6 +4,7 @@
 #include "dioptre/integrators/direct_light.h"
 #include "dioptre/integrators/integrator.h"
 #include "dioptre/shading/texture_evaluator.h"
+#include "dioptre/shading/thin_film.h"
 
 namespace dioptre {
 
@@ -36,6 +37,7 @@ class LocalLight {
 
   DirectLight direct_;
   Color ambient_light_;
+  ThinFilms films_;
 };
 
 }  // namespace dioptre

@@ -34,7 +34,14 @@ Color filter_of(const TextureSample& sample, const TextureSample::Stack& stack) 
   return filter;
 }
 
-double ior_of(const Scene& scene, InteriorId id) { return id ? at(scene.interiors, id).ior : 1; }
+/// The index of refraction in what a ray was sent into last, for light of its place in the
+/// spectrum.
+double ior_in(const Scene& scene, const MediaStack& media, float position) {
+  const InteriorId id = media.top();
+  if (!id) return 1;
+  const Interior& interior = at(scene.interiors, id);
+  return position == kWhiteLight ? interior.ior : ior_of_color(interior, position);
+}
 
 /// What an interior leaves of the light that comes through its surface from behind, for a ray that
 /// was inside for `distance` since the surface it met last. What the surface itself shines or
@@ -46,7 +53,7 @@ Color fading(const Scene& scene, const Part& part, const MediaStack& media, doub
 
 /// The index of refraction behind a surface over the one before it, for a ray inside `media`; 0 for
 /// a surface without an interior.
-double ior_behind(const Scene& scene, const Part& part, const MediaStack& media) {
+double ior_behind(const Scene& scene, const Part& part, const MediaStack& media, float position) {
   if (!part.interior || !at(scene.interiors, part.interior).has_ior) return 0;
   MediaStack beyond = media;
   const MediaStack::Entry entry = MediaStack::entry(part, nullptr);
@@ -55,7 +62,7 @@ double ior_behind(const Scene& scene, const Part& part, const MediaStack& media)
   } else {
     beyond.enter(entry, false);
   }
-  return ior_of(scene, beyond.top()) / ior_of(scene, media.top());
+  return ior_in(scene, beyond, position) / ior_in(scene, media, position);
 }
 
 /// What the exponent of a mirror makes of light, as a factor of each channel.
@@ -89,7 +96,8 @@ class WatchedRays {
 /// Tells the observer, if there is one, of the ray that a path begins with. trace() ends it.
 void Whitted::begin(RayKind kind, const Path& path, Color share, RayObserver* observer) const {
   if (!observer) return;
-  observer->begin({kind, path.ray, share, path.level, ior_of(scene_.scene(), path.media.top())});
+  observer->begin({kind, path.ray, share, path.level,
+                   ior_in(scene_.scene(), path.media, path.spectral_position)});
 }
 
 /// What one thread needs at hand, by depth of recursion; grows once and stays.
@@ -103,8 +111,10 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
     : scene_(scene),
       local_(scene, options),
       sky_(scene),
+      films_(scene.scene().settings),
       rainbows_(scene.scene()),
       has_fog_(!scene.scene().atmosphere.fogs.empty()),
+      disperses_(std::ranges::any_of(scene.scene().interiors, dioptre::disperses)),
       reflections_(options.quality >= 8),
       attenuation_(options.attenuation) {
   if (scene.scene().camera.kind == Camera::Kind::kMesh) return;  // it has no one place
@@ -183,9 +193,15 @@ Radiance Whitted::trace(Path& path, Scratch& scratch) const {
       const Vertex vertex{
           {at, sample, stack, path.ray.direction, reached * stack.weight, path.media}, path};
       Color transmitted = filter_of(sample, stack);
-      const Passage passage = is_black(transmitted) || !reflections_
-                                  ? Passage::kNone
-                                  : transmit(vertex, hit, transmitted, next);
+      const bool clear = reflections_ && !is_black(transmitted);
+      const std::uint32_t colors = disperses_ && clear ? colors_behind(vertex) : 1;
+      if (colors > 1) {
+        bool mirrored = false;
+        const Color behind = disperse(vertex, hit, colors, scratch, mirrored);
+        radiance += through * stack.weight * (behind + shade(vertex, scratch, !mirrored));
+        continue;
+      }
+      const Passage passage = !clear ? Passage::kNone : transmit(vertex, hit, transmitted, next);
       radiance += through * stack.weight * shade(vertex, scratch, passage != Passage::kMirrored);
       if (passage == Passage::kNone || is_black(transmitted)) continue;
       ++scratch.log->counts.transmitted;
@@ -218,7 +234,9 @@ Whitted::Passage Whitted::transmit(const Vertex& vertex, const Hit& hit, Color& 
   next.attenuation = attenuation_.transmitted;
   const Vec3 normal = vertex.sample.layers[vertex.stack.first].normal;
   const Passage passage = pass(vertex.at, hit, normal, next);
-  if (passage == Passage::kMirrored) transmitted = {1, 1, 1};
+  if (passage == Passage::kMirrored) {
+    transmitted = film_tint(vertex.layer(0), vertex.at, path.ray.direction, next.ray.direction);
+  }
   transmitted *= fading(scene_.scene(), *vertex.at.part, path.media, hit.crossing.t);
   return passage;
 }
@@ -231,7 +249,8 @@ Color Whitted::left_by_mirrors(const Vertex& vertex) const {
   for (std::uint32_t i = 0; i < vertex.stack.count; ++i) {
     const SurfaceLayer& layer = vertex.layer(i);
     if (!layer.finish->conserve_energy || !mirrors(layer)) continue;
-    const double ior = ior_behind(scene_.scene(), *vertex.at.part, path.media);
+    const double ior =
+        ior_behind(scene_.scene(), *vertex.at.part, path.media, path.spectral_position);
     left *= Color{1, 1, 1} - reflectance(layer, path.ray.direction, ior);
   }
   return left;
@@ -244,7 +263,8 @@ Color Whitted::shade(const Vertex& vertex, Scratch& scratch, bool with_mirrors) 
   for (std::uint32_t i = 0; i < vertex.stack.count && with_mirrors && reflections_; ++i) {
     const SurfaceLayer& layer = vertex.layer(i);
     if (!mirrors(layer)) continue;
-    const double ior = ior_behind(scene_.scene(), part, vertex.path.media);
+    const double ior =
+        ior_behind(scene_.scene(), part, vertex.path.media, vertex.path.spectral_position);
     const Color share = reflectance(layer, vertex.path.ray.direction, ior);
     if (!is_black(share)) radiance += mirrored(vertex, layer, share, scratch);
   }
@@ -261,6 +281,7 @@ Color Whitted::mirrored(const Vertex& vertex, const SurfaceLayer& layer, Color s
   if (!may_spawn(mirrored.weight, path.level)) return {};
   const Vec3 normal = vertex.at.surface.shading_normal;
   mirrored.ray = spawn_ray(vertex.at, mirror_direction(path.ray.direction, layer.normal, normal));
+  share *= film_tint(layer, vertex.at, path.ray.direction, mirrored.ray.direction);
   mirrored.level = path.level + 1;
   mirrored.attenuation = attenuation_.reflected;
   mirrored.purpose = RayPurpose::kReflection;
@@ -286,20 +307,64 @@ Color Whitted::seen(Path path, Scratch& scratch) const {
   return radiance;
 }
 
+/// What the film on a layer, if there is one, does to light that is mirrored.
+Color Whitted::film_tint(const SurfaceLayer& layer, const SurfaceInteraction& at, Vec3 from,
+                         Vec3 to) const {
+  if (layer.finish->irid == 0) return {1, 1, 1};
+  return films_.tint(*layer.finish, at.surface.position, dot(layer.normal, to - from));
+}
+
+/// Into how many colours the light splits that comes through a surface; 1 if it stays together, as
+/// light of one colour does.
+std::uint32_t Whitted::colors_behind(const Vertex& vertex) const {
+  if (vertex.path.spectral_position != kWhiteLight) return 1;
+  const Scene& scene = scene_.scene();
+  for (const InteriorId id : {vertex.at.part->interior, vertex.path.media.top()}) {
+    if (id && disperses(at(scene.interiors, id))) return at(scene.interiors, id).dispersion_samples;
+  }
+  return 1;
+}
+
+/// The light behind a surface, its colours looked for each in its own direction. Tells whether the
+/// surface mirrors all of one of them.
+Color Whitted::disperse(const Vertex& vertex, const Hit& hit, std::uint32_t colors,
+                        Scratch& scratch, bool& mirrored) const {
+  Color radiance;
+  for (std::uint32_t i = 0; i < colors; ++i) {
+    const Color share = color_share(i, colors);
+    Path path = vertex.path;
+    path.spectral_position = (static_cast<float>(i) + 0.5f) / static_cast<float>(colors);
+    const Vertex colored{vertex, path};
+    Path next;
+    Color transmitted = filter_of(vertex.sample, vertex.stack);
+    const Passage passage = transmit(colored, hit, transmitted, next);
+    mirrored |= passage == Passage::kMirrored;
+    transmitted *= share;
+    if (passage == Passage::kNone || is_black(transmitted)) continue;
+    next.weight *= share;
+    ++scratch.log->counts.transmitted;
+    begin(RayKind::kTransmitted, next, vertex.share * transmitted, scratch.log->observer);
+    ++scratch.depth;
+    radiance += transmitted * trace(next, scratch).color;
+    --scratch.depth;
+  }
+  return radiance;
+}
+
 /// Sends the path on through the surface: straight, bent by Snell's law, or mirrored where nothing
 /// can leave. All the light is mirrored then, whatever the texture filters or mirrors itself
 /// (measured); the weight is still that of what is filtered.
 Whitted::Passage Whitted::pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal,
                                Path& path) const {
   const MediaStack::Entry entry = MediaStack::entry(*at.part, hit.item);
-  const double before = ior_of(scene_.scene(), path.media.top());
+  const double before = ior_in(scene_.scene(), path.media, path.spectral_position);
   MediaStack beyond = path.media;
   if (beyond.contains(entry)) {
     beyond.leave(entry);
   } else if (hit.item->shape->solid()) {
     beyond.enter(entry, hit.item->hollow);
   }
-  const double ratio = before / ior_of(scene_.scene(), beyond.top());
+  const double ratio = before / ior_in(scene_.scene(), beyond, path.spectral_position);
   if (ratio == 1) {
     path.ray = spawn_ray(at, path.ray.direction);
     path.media = beyond;

@@ -7,6 +7,7 @@
 #include "dioptre/integrators/local_light.h"
 #include "dioptre/integrators/media_stack.h"
 #include "dioptre/integrators/rainbow.h"
+#include "dioptre/shading/dispersion.h"
 
 namespace dioptre {
 
@@ -28,6 +29,7 @@ class Whitted final : public RayIntegrator {
     std::uint32_t level = 1;
     double attenuation = 0;  ///< as LengthAttenuation has it
     RayPurpose purpose = RayPurpose::kCamera;
+    float spectral_position = kWhiteLight;  ///< of light that dispersion has split, in [0, 1]
     MediaStack media;
     double reach = kInfinity;  ///< how far the next surface may be; an eye ray may have a limit
   };
@@ -47,14 +49,21 @@ class Whitted final : public RayIntegrator {
   Color mirrored(const Vertex& vertex, const SurfaceLayer& layer, Color share,
                  Scratch& scratch) const;
   Color seen(Path path, Scratch& scratch) const;
+  std::uint32_t colors_behind(const Vertex& vertex) const;
+  Color disperse(const Vertex& vertex, const Hit& hit, std::uint32_t colors, Scratch& scratch,
+                 bool& mirrored) const;
+  Color film_tint(const SurfaceLayer& layer, const SurfaceInteraction& at, Vec3 from,
+                  Vec3 to) const;
   Passage pass(const SurfaceInteraction& at, const Hit& hit, Vec3 normal, Path& path) const;
   bool may_spawn(Color weight, std::uint32_t level) const;
 
   const RenderScene& scene_;
   LocalLight local_;
   Sky sky_;
+  ThinFilms films_;
   Rainbows rainbows_;
   bool has_fog_;
+  bool disperses_;
   MediaStack camera_media_;
   bool reflections_;
   LengthAttenuation attenuation_;

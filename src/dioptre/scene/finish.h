@@ -28,10 +28,9 @@ struct Finish {
   double reflection_metallic = 0;
   bool reflection_fresnel = false;
   bool conserve_energy = false;
-  double irid = 0;  ///< amount
-  double irid_thickness = 0;
+  double irid = 0;            ///< amount of the colours of a thin film
+  double irid_thickness = 0;  ///< of the film; as irid_wavelength has it
   double irid_turbulence = 0;
-  bool use_irid = false;
   double ior = 0;  ///< of what wears it, as old files give it; 0: not given
   bool operator==(const Finish&) const = default;
 
@@ -61,7 +60,6 @@ struct Finish {
     visit("irid", self.irid);
     visit("irid_thickness", self.irid_thickness);
     visit("irid_turbulence", self.irid_turbulence);
-    visit("use_irid", self.use_irid);
     visit("ior", self.ior);
   }
 };

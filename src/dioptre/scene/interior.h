@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "dioptre/core/color.h"
 
 namespace dioptre {
@@ -9,7 +11,8 @@ namespace dioptre {
 struct Interior {
   double ior = 1;  ///< index of refraction
   bool has_ior = false;
-  double dispersion = 1;
+  double dispersion = 1;                 ///< ior of violet over that of red; nothing without an ior
+  std::uint32_t dispersion_samples = 7;  ///< colours into which light splits
   double caustics = 0;
   double fade_distance = 0;  ///< 0: no fading
   double fade_power = 0;
@@ -21,6 +24,7 @@ struct Interior {
     visit("ior", self.ior);
     visit("has_ior", self.has_ior);
     visit("dispersion", self.dispersion);
+    visit("dispersion_samples", self.dispersion_samples);
     visit("caustics", self.caustics);
     visit("fade_distance", self.fade_distance);
     visit("fade_power", self.fade_power);

@@ -162,9 +162,7 @@ class FinishParser {
   void parse_irid() {
     const Parser::Nesting nesting(parser_);
     parser_.expect('{', "after irid");
-    finish_.use_irid = true;
     finish_.irid = parser_.parse_float();
-    if (finish_.irid != 0) parser_.not_rendered("irid");
     while (!parser_.accept('}')) {
       if (parser_.accept(Keyword::kThickness)) {
         finish_.irid_thickness = parser_.parse_float();

@@ -5,6 +5,9 @@
 namespace dioptre::pov {
 namespace {
 
+/// More colours than this cannot be told apart.
+constexpr int kMostDispersionSamples = 1000;
+
 bool parse_interior_item(Parser& parser, Interior& interior) {
   switch (keyword_at(parser)) {
     case Keyword::kIor:
@@ -15,11 +18,11 @@ bool parse_interior_item(Parser& parser, Interior& interior) {
     case Keyword::kDispersion:
       parser.next();
       interior.dispersion = parser.parse_float();
-      if (interior.dispersion != 1) parser.not_rendered("dispersion");
       return true;
     case Keyword::kDispersionSamples:
       parser.next();
-      parser.parse_float();
+      interior.dispersion_samples =
+          static_cast<std::uint32_t>(parse_whole(parser, 2, kMostDispersionSamples));
       return true;
     case Keyword::kCaustics:
       parser.next();
