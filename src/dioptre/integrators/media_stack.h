@@ -66,6 +66,7 @@ class MediaStack {
       return;
     }
   }
+  bool empty() const { return size_ == 0; }
   /// The interior entered last; none in the open, and in a solid without one.
   InteriorId top() const { return size_ > 0 ? entries_[size_ - 1].interior() : InteriorId{}; }
   /// True if every solid around lets the atmosphere in.

@@ -51,14 +51,16 @@ Color fading(const Scene& scene, const Part& part, const MediaStack& media, doub
   return attenuation(at(scene.interiors, part.interior), distance);
 }
 
-/// The index of refraction behind a surface over the one before it, for a ray inside `media`; 0 for
-/// a surface without an interior.
+/// The index of refraction behind a surface over the one before it, for a ray inside `media`, as
+/// far as Fresnel's law is concerned; 0 for a surface without an interior, and where a ray leaves a
+/// solid within another one (measured).
 double ior_behind(const Scene& scene, const Part& part, const MediaStack& media, float position) {
   if (!part.interior || !at(scene.interiors, part.interior).has_ior) return 0;
   MediaStack beyond = media;
   const MediaStack::Entry entry = MediaStack::entry(part, nullptr);
   if (beyond.contains(entry)) {
     beyond.leave(entry);
+    if (!beyond.empty()) return 0;
   } else {
     beyond.enter(entry, false);
   }
@@ -70,6 +72,17 @@ Color gain(const Finish& finish, Color light) {
   const Color soft = softened(finish, light);
   const auto ratio = [](float after, float before) { return before > 0 ? after / before : 0; };
   return {ratio(soft.r, light.r), ratio(soft.g, light.g), ratio(soft.b, light.b)};
+}
+
+/// Whether anything mirrors by Fresnel's law: then it counts which solids a ray is in, even hollow
+/// ones that are filled with nothing.
+bool any_fresnel(const Scene& scene) {
+  return std::ranges::any_of(scene.textures, [](const Texture& texture) {
+    const auto* layered = std::get_if<LayeredTexture>(&texture.data);
+    return layered && std::ranges::any_of(layered->layers, [](const TextureLayer& layer) {
+             return layer.finish.reflection_fresnel;
+           });
+  });
 }
 
 /// The rays of one path, each begun within the one before it: told to have ended when it is done.
@@ -119,9 +132,10 @@ Whitted::Whitted(const RenderScene& scene, const IntegratorOptions& options)
       attenuation_(options.attenuation) {
   if (scene.scene().camera.kind == Camera::Kind::kMesh) return;  // it has no one place
   const Vec3 eye = scene.scene().camera.location;
+  const bool fresnel = any_fresnel(scene.scene());
   for (const Item& item : scene.items()) {
     const Part& part = scene.first_part(item);
-    if ((part.interior || !item.hollow) && item.shape->contains(eye)) {
+    if ((part.interior || !item.hollow || fresnel) && item.shape->contains(eye)) {
       camera_media_.enter(MediaStack::entry(part, &item), item.hollow);
     }
   }

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "dioptre/core/affine.h"
+#include "dioptre/core/shared.h"
 #include "dioptre/core/vec.h"
+#include "dioptre/scene/density_grid.h"
 #include "dioptre/scene/ids.h"
 
 namespace dioptre {
@@ -92,6 +95,21 @@ struct Crackle {
     visit("metric", self.metric);
     visit("offset", self.offset);
     visit("solid", self.solid);
+  }
+};
+
+/// The values of a grid, which fills the unit cube; 0 outside.
+struct DensityFile {
+  static constexpr const char* kName = "density_file";
+  std::string path;
+  Shared<DensityGrid> data;
+  std::uint32_t interpolation = 0;  ///< 0: none, 1: linear, 2: cubic
+  bool operator==(const DensityFile&) const = default;
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit("path", self.path);
+    visit("data", self.data);
+    visit("interpolation", self.interpolation);
   }
 };
 
@@ -255,10 +273,10 @@ struct ImagePattern {
 /// The one list of patterns.
 using PatternData =
     std::variant<Agate, Aoi, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle, Cubic, Cylindrical,
-                 Dents, Facets, Fractal, FunctionPattern, Gradient, Granite, Hexagon, ImagePattern,
-                 Leopard, Marble, ObjectPattern, Onion, PigmentPattern, Planar, Quilted, Radial,
-                 Ripples, Slope, Spherical, Spiral, Spotted, Square, Tiling, Triangular, Waves,
-                 Wood, Wrinkles>;
+                 Dents, DensityFile, Facets, Fractal, FunctionPattern, Gradient, Granite, Hexagon,
+                 ImagePattern, Leopard, Marble, ObjectPattern, Onion, PigmentPattern, Planar,
+                 Quilted, Radial, Ripples, Slope, Spherical, Spiral, Spotted, Square, Tiling,
+                 Triangular, Waves, Wood, Wrinkles>;
 
 /// Moves the point by turbulent vector noise.
 struct Turbulence {

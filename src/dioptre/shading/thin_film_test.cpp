@@ -37,7 +37,7 @@ TEST(ThinFilm, TurbulenceChangesItFromPlaceToPlace) {
 }
 
 TEST(ThinFilm, NoNumbersMakeItUnbounded) {
-  for (const double bad : {0.0, 1e300, -1e300, std::nan(""), INFINITY}) {
+  for (const double bad : {0.0, 1e300, -1e300, std::nan(""), HUGE_VAL}) {
     Settings settings;
     settings.irid_wavelength = {static_cast<float>(bad), 0, -1};
     Finish finish;

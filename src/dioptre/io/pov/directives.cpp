@@ -91,6 +91,14 @@ void Interpreter::run_message(Keyword keyword) {
   diagnostics_.report(std::move(note));
 }
 
+std::string Interpreter::read_file(const std::string& path) {
+  constexpr std::uint64_t kShareOfMemory = 8;  // values take more room than their bytes
+  Result<std::string> bytes = access_.read(path, budgets().memory_bytes / kShareOfMemory);
+  if (!bytes) fail(bytes.error().message);
+  charge(bytes->size());
+  return *std::move(bytes);
+}
+
 std::shared_ptr<const Program> Interpreter::load_program(const std::string& name) {
   static constexpr std::string_view kEndings[] = {".inc"};
   const std::string path = find_file(name, kEndings);

@@ -81,6 +81,7 @@ class Interpreter final : public Parser {
   const LoadBudgets& budgets() const override { return options_.budgets; }
   std::string find_file(const std::string& name,
                         std::span<const std::string_view> endings = {}) override;
+  std::string read_file(const std::string& path) override;
   ReadImages& read_images() override { return read_images_; }
   [[noreturn]] void fail(std::string message, std::string how_to_mend = {}) override;
   [[noreturn]] void fail_at(SourcePosition where, std::string message,

@@ -94,6 +94,8 @@ class Parser {
   /// there is none of that name, each of the endings is tried behind it.
   virtual std::string find_file(const std::string& name,
                                 std::span<const std::string_view> endings = {}) = 0;
+  /// All bytes of a file that find_file gave; fails if there are too many for the budgets.
+  virtual std::string read_file(const std::string& path) = 0;
   virtual ReadImages& read_images() = 0;
 
   [[noreturn]] virtual void fail(std::string message, std::string how_to_mend = {}) = 0;

@@ -7,6 +7,7 @@
 
 #include "dioptre/shading/patterns/blocks.h"
 #include "dioptre/shading/patterns/crackle.h"
+#include "dioptre/shading/patterns/density.h"
 #include "dioptre/shading/patterns/fractal.h"
 #include "dioptre/shading/patterns/quilted.h"
 
@@ -138,9 +139,8 @@ struct Maker {
     });
   }
   Made operator()(const Aoi&) const {
-    return field([](Vec3, const Viewpoint& v) {
-      return share_of_half_turn(-dot(v.normal, v.view));
-    });
+    return field(
+        [](Vec3, const Viewpoint& v) { return share_of_half_turn(-dot(v.normal, v.view)); });
   }
   Made operator()(const Boxed&) const {
     return field([](Vec3 p) { return std::max(0.0, 1 - max_component(abs(p))); });
@@ -171,6 +171,9 @@ struct Maker {
       const double n = noise(p, g);
       return n * n * n;
     });
+  }
+  Made operator()(const DensityFile& file) const {
+    return field([file](Vec3 p) { return density_value(p, file); });
   }
   Made operator()(const Facets&) const {
     return field([](Vec3) { return 0.0; });  // a pattern for normals only

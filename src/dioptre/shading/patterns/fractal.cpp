@@ -135,7 +135,7 @@ double fractal_value(Vec3 p, const Fractal& fractal) {
   if (!orbit.ended) {
     const double factor = fractal.interior_factor;
     if (fractal.interior_type == 6) {  // not the modulus that the manual promises (measured)
-      return (2 * z.real() * z.real() + z.imag() * z.imag()) * factor;
+      return z.real() * z.real() + z.imag() * z.imag() * factor;
     }
     return by_type(fractal.interior_type, factor, std::sqrt(orbit.smallest) * factor, z);
   }

@@ -2,6 +2,10 @@
 // The kinds of patterns and their parameters.
 #include "dioptre/io/pov/syntax/patterns.h"
 
+#include <utility>
+
+#include "dioptre/io/image/read_density.h"
+
 namespace dioptre::pov {
 namespace {
 
@@ -121,11 +125,18 @@ void parse_object_pattern(Parser& parser, Pattern& pattern) {
   parser.skip_comma();
 }
 
-void parse_density_file(Parser& parser, Pattern& pattern) {
+/// The file of a density_file, behind the keyword.
+DensityFile parse_density_file(Parser& parser) {
   if (!parser.accept(Keyword::kDf3)) parser.fail_expected("df3");
-  parser.find_file(parser.parse_file_name());
-  parser.not_rendered("density_file");
-  pattern.data = Bozo{};
+  const SourcePosition where = parser.position();
+  DensityFile file;
+  file.path = parser.find_file(parser.parse_file_name());
+  const std::string bytes = parser.read_file(file.path);
+  parser.charge(bytes.size() * sizeof(float));
+  Result<DensityGrid> grid = decode_density(bytes);
+  if (!grid) parser.fail_at(where, grid.error().message);
+  file.data = std::move(*grid);
+  return file;
 }
 
 /// The patterns that take something behind the keyword, which is the next token.
@@ -153,6 +164,7 @@ std::optional<BlockPattern> parse_parametric_kind(Parser& parser, Keyword keywor
       break;
     case Keyword::kTiling:
       parser.next();
+      parser.not_rendered("tiling");
       pattern.data = Tiling{static_cast<std::uint32_t>(parse_whole(parser, 1, 24))};
       break;
     case Keyword::kFunction:
@@ -169,7 +181,7 @@ std::optional<BlockPattern> parse_parametric_kind(Parser& parser, Keyword keywor
       break;
     case Keyword::kDensityFile:
       parser.next();
-      parse_density_file(parser, pattern);
+      pattern.data = parse_density_file(parser);
       break;
     case Keyword::kPavement:
       parser.next();
@@ -327,6 +339,7 @@ std::size_t parts_of(const Pattern& pattern) { return std::visit(Count{}, patter
 std::optional<BlockPattern> parse_pattern_kind(Parser& parser, Pattern& pattern) {
   const Keyword keyword = keyword_at(parser);
   if (set_plain(keyword, pattern)) {
+    if (keyword == Keyword::kFacets) parser.not_rendered("facets");
     parser.next();
     return BlockPattern{parts_of(pattern), false};
   }
@@ -342,7 +355,8 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern) {
   } else if (parser.accept(Keyword::kNoiseGenerator)) {
     pattern.noise_generator = static_cast<std::uint32_t>(parse_whole(parser, 1, 3));
   } else if (parser.accept(Keyword::kInterpolate)) {
-    parser.parse_float();
+    DensityFile no_file;
+    data_as(pattern, no_file).interpolation = static_cast<std::uint32_t>(parse_whole(parser, 0, 2));
   } else {
     return parse_warp_modifier(parser, pattern.warps);
   }
