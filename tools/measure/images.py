@@ -86,6 +86,24 @@ def compare(first, second, tolerance=2):
     return Comparison(same / pixels, mean, max(differences, default=0))
 
 
+def same_blocks(first, second, size=8, tolerance=2):
+    """The share of blocks of size x size pixels whose mean colours are within the tolerance."""
+    same = blocks = 0
+    for top in range(0, first.height, size):
+        for left in range(0, first.width, size):
+            sums, pixels = [0, 0, 0], 0
+            for y in range(top, min(top + size, first.height)):
+                begin = 3 * (y * first.width + left)
+                end = 3 * (y * first.width + min(left + size, first.width))
+                pixels += (end - begin) // 3
+                for channel in range(3):
+                    sums[channel] += (sum(first.rgb[begin + channel : end : 3])
+                                      - sum(second.rgb[begin + channel : end : 3]))
+            blocks += 1
+            same += all(abs(total) <= tolerance * pixels for total in sums)
+    return same / max(1, blocks)
+
+
 def side_by_side(first, second, gain=4):
     """The two images and their difference, made `gain` times stronger, in one."""
     images = [first]

@@ -8,7 +8,8 @@ import re
 from collections import Counter, defaultdict
 from dataclasses import dataclass
 
-VERDICTS = ("same", "different", "error", "time limit", "no reference")
+VERDICTS = ("same", "same in the mean", "different", "error", "time limit", "no reference")
+SAME = ("same", "same in the mean")
 
 
 @dataclass
@@ -35,7 +36,7 @@ def summary(results):
     counts = Counter(result["verdict"] for result in results)
     exact = [result for result in results if not result["random"]]
     exact_same = sum(1 for result in exact if result["verdict"] == "same")
-    pairs = [r for r in compared(results) if r["verdict"] in ("same", "different")]
+    pairs = [r for r in compared(results) if r["verdict"] in (*SAME, "different")]
     theirs = sum(result["povray"]["cpu"] for result in pairs)
     ours = sum(result["dioptre"]["cpu"] for result in pairs)
     peak = max((result["dioptre"]["peak_mb"] for result in pairs), default=0)
@@ -53,7 +54,7 @@ def groups(results):
     """What keeps scenes from being the same: cause to list of results, the largest first."""
     causes = defaultdict(list)
     for result in compared(results):
-        if result["verdict"] == "same":
+        if result["verdict"] in SAME:
             continue
         facts = result["dioptre"]
         if result["verdict"] == "time limit":
@@ -75,6 +76,11 @@ def percent(result):
     return f"{100 * same:.2f}" if same is not None else ""
 
 
+def percent_of_blocks(result):
+    same = result.get("same_blocks")
+    return f"{100 * same:.2f}" if same is not None else ""
+
+
 def _folders(results):
     table = defaultdict(Counter)
     for result in results:
@@ -88,12 +94,15 @@ def write_markdown(path, head, results):
     print("# POV-Ray's own scenes in both programs\n", file=out)
     print("Made by `tools/parity`; do not edit. Each scene is rendered by "
           f"{head.povray} and by {head.dioptre} with `{' '.join(head.options)}`. *Same* means that "
-          "at least 99 % of the pixels differ by no more than 2/255 in every channel.\n", file=out)
+          "at least 99 % of the pixels differ by no more than 2/255 in every channel; *same in the "
+          "mean*, of scenes where nothing but jittered area lights, crand and focal blur is random, "
+          "that the means of at least 99 % of the blocks of 8 x 8 pixels do.\n", file=out)
     print("\n".join(f"- {line}" for line in summary(results).split("\n")), file=out)
-    print("\n| folder | scenes | same | different | error | time limit |", file=out)
-    print("|---|---:|---:|---:|---:|---:|", file=out)
+    print("\n| folder | scenes | same | in the mean | different | error | time limit |", file=out)
+    print("|---|---:|---:|---:|---:|---:|---:|", file=out)
     for folder, counts in _folders(results):
-        print(f"| {folder} | {sum(counts.values())} | {counts['same']} | {counts['different']} "
+        print(f"| {folder} | {sum(counts.values())} | {counts['same']} "
+              f"| {counts['same in the mean']} | {counts['different']} "
               f"| {counts['error']} | {counts['time limit']} |", file=out)
     print("\n## Why scenes are not the same\n", file=out)
     print("A scene counts under each feature it lacks.\n", file=out)
@@ -104,13 +113,15 @@ def write_markdown(path, head, results):
         shown = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
         print(f"| {cause.replace('|', '/')} | {len(members)} | {shown} |", file=out)
     print("\n## Every scene\n", file=out)
-    print("| scene | verdict | same % | mean difference | POV-Ray s | Dioptre s | notes |", file=out)
-    print("|---|---|---:|---:|---:|---:|---|", file=out)
+    print("| scene | verdict | same % | blocks % | mean difference | POV-Ray s | Dioptre s | notes |",
+          file=out)
+    print("|---|---|---:|---:|---:|---:|---:|---|", file=out)
     for result in results:
         ours = result.get("dioptre", {})
         notes = ours.get("error") or ", ".join(ours.get("notices", [])) or result["random"]
         print(f"| {result['scene']} | {result['verdict']} | {percent(result)} "
-              f"| {result.get('mean_difference', '')} | {result['povray']['cpu']:.2f} "
+              f"| {percent_of_blocks(result)} | {result.get('mean_difference', '')} "
+              f"| {result['povray']['cpu']:.2f} "
               f"| {ours.get('cpu', '')} | {notes.replace('|', '/')} |", file=out)
     path.write_text(out.getvalue())
 
@@ -119,14 +130,15 @@ def write_csv(path, results):
     """One line for each scene, for other programs."""
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(["scene", "verdict", "same_pixels", "mean_difference",
+        writer.writerow(["scene", "verdict", "same_pixels", "same_blocks", "mean_difference",
                          "largest_difference", "povray_cpu", "dioptre_cpu", "dioptre_peak_mb",
                          "status", "random", "not_rendered", "error"])
         for result in results:
             ours = result.get("dioptre", {})
             writer.writerow([
                 result["scene"], result["verdict"], result.get("same_pixels", ""),
-                result.get("mean_difference", ""), result.get("largest_difference", ""),
+                result.get("same_blocks", ""), result.get("mean_difference", ""),
+                result.get("largest_difference", ""),
                 result["povray"]["cpu"], ours.get("cpu", ""), ours.get("peak_mb", ""),
                 ours.get("status", ""), result["random"], "; ".join(ours.get("notices", [])),
                 ours.get("error", "")])

@@ -116,7 +116,7 @@ bool is_plain(TIFF* tiff, std::uint32_t& channels, std::uint32_t& bits) {
 
 Result<DecodedImage> decode(TIFF* tiff, const TiffInput& in, std::uint64_t max_pixels) {
   DecodedImage image;
-  image.curve = DecodedImage::Curve::kLinear;
+  image.curve = DecodedImage::Curve::kAsStored;
   ImageData& data = image.data;
   TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &data.width);
   TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &data.height);

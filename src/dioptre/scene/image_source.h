@@ -9,8 +9,8 @@
 
 namespace dioptre {
 
-/// Decoded pixels: rows from top to bottom, 1, 2, 3 or 4 channels (grey, grey+alpha, RGB, RGBA),
-/// in linear light.
+/// Decoded pixels: rows from top to bottom, 1 to 5 channels (grey, grey+alpha, RGB, RGBA,
+/// RGBA+filter), in linear light or in the scene's own values.
 struct ImageData {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -46,9 +46,9 @@ struct ImageSource {
   Mapping mapping = Mapping::kPlanar;
   bool once = false;  ///< outside the unit square: nothing
   Interpolation interpolation = Interpolation::kNone;
-  double filter_all = 0;
-  double transmit_all = 0;
-  bool use_color = true;  ///< for bump maps and patterns: the colour, not the index
+  double filter_all = 0;    ///< beside the filter channel
+  double transmit_all = 0;  ///< beside what alpha lets through
+  bool use_color = true;    ///< for bump maps and patterns: the colour, not the index
   bool use_alpha = false;
   bool operator==(const ImageSource&) const = default;
 

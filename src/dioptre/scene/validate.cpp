@@ -68,8 +68,8 @@ class Walk {
   void check(const MeshData&) {}  // large; checked when prepared
   void check(const ImageData& image) {
     const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
-    if (image.channels < 1 || image.channels > 4) {
-      problem_ = path_ + ": an image has 1 to 4 channels";
+    if (image.channels < 1 || image.channels > 5) {
+      problem_ = path_ + ": an image has 1 to 5 channels";
     } else if (pixels > image.pixels.size() || pixels * image.channels != image.pixels.size()) {
       problem_ = path_ + ": the number of pixels does not fit the size";
     }

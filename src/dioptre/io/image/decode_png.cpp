@@ -99,6 +99,8 @@ Result<DecodedImage> decode(png_structp png, png_infop info, PngInput& in, std::
     data.channels = channels_of(png, info);
   }
   const std::uint32_t bytes = png_get_bit_depth(png, info) == 16 ? 2 : 1;
+  image.grey_bytes =
+      bytes == 1 && data.channels == 1 && image.curve != DecodedImage::Curve::kIndices;
   const std::size_t row = std::size_t{data.width} * data.channels * bytes;
   // Deflate packs at most about 1032 to 1: a file too small for its header is refused at once.
   const std::size_t bits_per_row =

@@ -54,7 +54,7 @@ Result<DecodedImage> decode_pnm(std::string_view bytes, std::uint64_t max_pixels
     return tl::unexpected(size.error());
   }
   DecodedImage image;
-  image.curve = DecodedImage::Curve::kLinear;
+  image.curve = DecodedImage::Curve::kAsStored;
   image.data.width = *width;
   image.data.height = *height;
   image.data.channels = kind == '3' || kind == '6' ? 3 : 1;

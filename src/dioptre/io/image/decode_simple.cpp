@@ -15,6 +15,7 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <memory>
@@ -79,7 +80,10 @@ struct Free {
 
 }  // namespace
 
-Result<DecodedImage> decode_simple(std::string_view bytes, std::uint64_t max_pixels) {
+namespace {
+
+/// Decodes what a GIF, TGA or BMP shows; a clear colour is black.
+Result<DecodedImage> decode_shown(std::string_view bytes, std::uint64_t max_pixels) {
   if (bytes.size() > INT_MAX) return fail("the file is larger than 2 GiB");
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -109,6 +113,24 @@ Result<DecodedImage> decode_simple(std::string_view bytes, std::uint64_t max_pix
     image.data.pixels[k] = static_cast<float>(pixels.get()[k]) / 255.0f;
   }
   drop_opaque_alpha(image.data);
+  return image;
+}
+
+}  // namespace
+
+/// A GIF's clear colour stays what it is (measured: it shows where it is interpolated or given
+/// another transparency).
+Result<DecodedImage> decode_simple(std::string_view bytes, std::uint64_t max_pixels) {
+  Result<DecodedImage> image = decode_shown(bytes, max_pixels);
+  if (!image || image->data.channels != 4 || !bytes.starts_with("GIF8")) return image;
+  const Result<DecodedImage> opaque =
+      decode_shown(with_opaque_entries(std::string(bytes)), max_pixels);
+  if (!opaque || opaque->data.channels != 3) return image;
+  const std::size_t count = image->data.pixels.size() / 4;
+  if (opaque->data.pixels.size() != 3 * count) return image;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::copy_n(&opaque->data.pixels[3 * k], 3, &image->data.pixels[4 * k]);
+  }
   return image;
 }
 

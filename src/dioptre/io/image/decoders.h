@@ -13,10 +13,12 @@ namespace dioptre {
 /// What a decoder found: values as the file has them (integers scaled to 0..1), and what the file
 /// says about their meaning.
 struct DecodedImage {
-  enum class Curve { kUnknown, kSrgb, kLinear, kPower, kIndices };
+  enum class Curve { kUnknown, kSrgb, kLinear, kPower, kAsStored, kIndices };
   ImageData data;
-  Curve curve = Curve::kUnknown;  ///< kUnknown: the file says nothing; kIndices: no light
+  Curve curve = Curve::kUnknown;  ///< kUnknown: the file says nothing; kAsStored: its values
+                                  ///< are the scene's, whatever their gamma; kIndices: no light
   double gamma = 1;               ///< of kPower: light is value^gamma
+  bool grey_bytes = false;        ///< a PNG of grey bytes
 };
 
 /// Refuses sizes of 0 or above the limit, before anything is allocated.

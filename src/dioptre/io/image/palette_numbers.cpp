@@ -30,20 +30,34 @@ std::size_t gif_entries(std::size_t flags) {
   return (flags & 0x80) != 0 ? std::size_t{2} << (flags & 7) : 0;
 }
 
+/// Calls change(at) for the flags of each graphic control of a GIF whose blocks begin at `at`, and
+/// gives the place behind them.
+template <class Change>
+std::size_t for_each_control(const std::string& bytes, std::size_t at, Change change) {
+  while (byte_at(bytes, at) == 0x21) {
+    const bool control = byte_at(bytes, at + 1) == 0xf9;
+    at += 2;
+    if (control && at + 1 < bytes.size()) change(at + 1);
+    while (byte_at(bytes, at) != 0) at += 1 + byte_at(bytes, at);
+    ++at;
+  }
+  return at;
+}
+
+/// Where the blocks of a GIF begin: behind its screen's palette.
+std::size_t gif_blocks(const std::string& bytes) {
+  constexpr std::size_t kScreen = 13;
+  return kScreen + 3 * gif_entries(byte_at(bytes, 10));
+}
+
 /// Numbers the palette of the screen and that of the first image (CompuServe, "Graphics Interchange
 /// Format 89a", 1990).
 std::optional<std::string> number_gif(std::string bytes) {
   constexpr std::size_t kScreen = 13, kImage = 10;
   const std::size_t entries = gif_entries(byte_at(bytes, 10));
   number_entries(bytes, kScreen, entries, 3);
-  std::size_t at = kScreen + 3 * entries;
-  while (byte_at(bytes, at) == 0x21) {
-    const bool control = byte_at(bytes, at + 1) == 0xf9;
-    at += 2;
-    if (control && at + 1 < bytes.size()) bytes[at + 1] &= static_cast<char>(~1);  // no clear entry
-    while (byte_at(bytes, at) != 0) at += 1 + byte_at(bytes, at);
-    ++at;
-  }
+  bytes = with_opaque_entries(std::move(bytes));
+  const std::size_t at = for_each_control(bytes, gif_blocks(bytes), [](std::size_t) {});
   const std::size_t own = gif_entries(byte_at(bytes, at + 9));
   number_entries(bytes, at + kImage, own, 3);
   if (entries == 0 && own == 0) return std::nullopt;
@@ -79,6 +93,12 @@ std::optional<std::string> number_tga(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string with_opaque_entries(std::string gif) {
+  for_each_control(gif, gif_blocks(gif),
+                   [&](std::size_t flags) { gif[flags] &= static_cast<char>(~1); });
+  return gif;
+}
 
 std::optional<std::string> with_palette_of_numbers(std::string_view bytes) {
   if (bytes.starts_with("GIF8")) return number_gif(std::string(bytes));

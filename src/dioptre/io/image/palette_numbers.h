@@ -12,4 +12,7 @@ namespace dioptre {
 /// are opaque then. Looks at nothing beyond the end of the file, whatever its header says.
 std::optional<std::string> with_palette_of_numbers(std::string_view bytes);
 
+/// The same GIF with all its entries opaque, which keeps the colour of a clear one.
+std::string with_opaque_entries(std::string gif);
+
 }  // namespace dioptre

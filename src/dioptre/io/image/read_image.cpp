@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -91,6 +92,15 @@ DecodedImage::Curve resolve(const DecodedImage& image, double language_version) 
   return language_version < 3.7 ? DecodedImage::Curve::kLinear : DecodedImage::Curve::kSrgb;
 }
 
+/// Whether the values of an image are known as light, by a gamma or by what its file says, and not
+/// taken as they are.
+bool is_light(const DecodedImage& image, const ReadImageOptions& options) {
+  using Curve = DecodedImage::Curve;
+  if (options.gamma) return true;
+  if (image.curve == Curve::kUnknown) return options.language_version >= 3.7;
+  return image.curve != Curve::kAsStored;
+}
+
 float decode_value(float value, DecodedImage::Curve curve, double gamma) {
   if (!(value > 0)) return 0;
   if (curve == DecodedImage::Curve::kPower) {
@@ -102,7 +112,7 @@ float decode_value(float value, DecodedImage::Curve curve, double gamma) {
 
 /// Turns the colour channels into linear light; alpha stays.
 void linearize(ImageData& data, DecodedImage::Curve curve, double gamma) {
-  if (curve == DecodedImage::Curve::kLinear) return;
+  if (curve == DecodedImage::Curve::kLinear || curve == DecodedImage::Curve::kAsStored) return;
   const std::uint32_t colors = data.channels < 3 ? 1 : 3;
   for (std::size_t at = 0; at < data.pixels.size(); at += data.channels) {
     for (std::uint32_t k = 0; k < colors; ++k) {
@@ -117,19 +127,50 @@ Decoder for_indices(Decoder decode) {
   return decode == decode_simple ? decode_simple_indices : decode;
 }
 
-/// The pixels with an alpha channel that says what the entries of the palette let through.
-ImageData with_transmits(const ImageData& colors, const ImageData& numbers,
-                         const std::vector<EntryTransmit>& transmits) {
-  std::array<std::optional<float>, 256> alpha_of;
-  for (const EntryTransmit& e : transmits) alpha_of[e.entry] = 1 - e.transmit;
+/// Rounds light down to whole 255ths. The grey of a colour without hue is a hair under its parts.
+void keep_light_in_bytes(ImageData& data) {
+  for (float& light : data.pixels) {
+    const float grey = light * 0.297f + light * 0.589f + light * 0.114f;
+    light = std::floor(grey * 255) / 255;
+  }
+}
+
+/// Turns linear light into the values of a scene of that gamma; alpha stays.
+void to_working_values(ImageData& data, double gamma) {
+  if (gamma == 1) return;
+  linearize(data, DecodedImage::Curve::kPower, 1 / gamma);
+}
+
+/// What is known of the entries of a palette by their numbers.
+using OfEntries = std::array<std::optional<float>, 256>;
+
+OfEntries of_entries(const std::vector<EntryShare>& shares) {
+  OfEntries known;
+  for (const EntryShare& e : shares) known[e.entry] = e.share;
+  return known;
+}
+
+/// The pixels with an alpha channel that says what the entries of the palette let through, and a
+/// fifth if some of it is filtered.
+ImageData with_transparency(const ImageData& colors, const ImageData& numbers,
+                            const ReadImageOptions& options) {
+  const OfEntries transmits = of_entries(options.entry_transmits);
+  const OfEntries filters = of_entries(options.entry_filters);
   const std::uint32_t shades = colors.channels < 3 ? 1 : 3;
-  ImageData out{colors.width, colors.height, shades + 1, {}};
+  const bool with_alpha = colors.channels > shades && !options.opaque_palette;
+  const bool filtered = !options.entry_filters.empty();
+  const bool transparent = with_alpha || filtered || !options.entry_transmits.empty();
+  ImageData out{colors.width, colors.height, filtered ? 5 : shades + (transparent ? 1 : 0), {}};
   out.pixels.reserve(numbers.pixels.size() * out.channels);
   for (std::size_t k = 0; k < numbers.pixels.size(); ++k) {
     const float* from = &colors.pixels[k * colors.channels];
-    const float alpha = colors.channels > shades ? from[shades] : 1;
-    out.pixels.insert(out.pixels.end(), from, from + shades);
-    out.pixels.push_back(alpha_of[static_cast<std::uint8_t>(numbers.pixels[k])].value_or(alpha));
+    const auto entry = static_cast<std::uint8_t>(numbers.pixels[k]);
+    for (std::uint32_t i = 0; i < (filtered ? 3 : shades); ++i) {
+      out.pixels.push_back(from[std::min(i, shades - 1)]);
+    }
+    const float alpha = with_alpha ? from[shades] : 1;
+    if (transparent) out.pixels.push_back(transmits[entry] ? 1 - *transmits[entry] : alpha);
+    if (filtered) out.pixels.push_back(filters[entry].value_or(0));
   }
   return out;
 }
@@ -152,18 +193,20 @@ Result<ImageData> read_image(const std::string& path, const ReadImageOptions& op
     for (float& number : image->data.pixels) number *= options.palette_scale;
     return std::move(image->data);
   }
-  if (options.gamma) {
-    linearize(image->data, DecodedImage::Curve::kPower, *options.gamma);
-  } else {
-    linearize(image->data, resolve(*image, options.language_version), image->gamma);
-  }
-  if (options.entry_transmits.empty()) return std::move(image->data);
+  const auto curve =
+      options.gamma ? DecodedImage::Curve::kPower : resolve(*image, options.language_version);
+  linearize(image->data, curve, options.gamma.value_or(image->gamma));
+  if (is_light(*image, options)) to_working_values(image->data, options.working_gamma);
+  if (image->grey_bytes && options.grey_light_bytes) keep_light_in_bytes(image->data);
+  const bool by_entry = !options.entry_transmits.empty() || !options.entry_filters.empty();
+  if (!by_entry && !options.opaque_palette) return std::move(image->data);
   const Result<DecodedImage> numbers = for_indices(decode)(*bytes, options.max_pixels);
-  if (!numbers || numbers->curve != DecodedImage::Curve::kIndices ||
-      numbers->data.pixels.size() * image->data.channels != image->data.pixels.size()) {
-    return cannot_read(path, "it has no palette whose colours could let light through");
-  }
-  return with_transmits(image->data, numbers->data, options.entry_transmits);
+  const bool has_palette =
+      numbers && numbers->curve == DecodedImage::Curve::kIndices &&
+      numbers->data.pixels.size() * image->data.channels == image->data.pixels.size();
+  if (has_palette) return with_transparency(image->data, numbers->data, options);
+  if (!by_entry) return std::move(image->data);
+  return cannot_read(path, "it has no palette whose colours could let light through");
 }
 
 }  // namespace dioptre

@@ -11,11 +11,11 @@
 
 namespace dioptre {
 
-/// The share of light that an entry of a palette lets through unfiltered.
-struct EntryTransmit {
+/// The share of light that an entry of a palette lets through.
+struct EntryShare {
   std::uint8_t entry = 0;
-  float transmit = 0;
-  bool operator==(const EntryTransmit&) const = default;
+  float share = 0;
+  bool operator==(const EntryShare&) const = default;
 };
 
 /// How the values of an image file become linear light, and how large it may be.
@@ -30,7 +30,15 @@ struct ReadImageOptions {
   float palette_scale = 0;
   /// How much light passes through the colours of single entries of a palette, from 0 to 1, instead
   /// of what the file says. An error if there is no palette.
-  std::vector<EntryTransmit> entry_transmits;
+  std::vector<EntryShare> entry_transmits;
+  /// The same for the light that is filtered: the image gets five channels.
+  std::vector<EntryShare> entry_filters;
+  /// What the file says of the transparency of its palette is forgotten.
+  bool opaque_palette = false;
+  /// Light that was decoded is given as light^(1 / working_gamma): the scene's own values.
+  double working_gamma = 1;
+  /// A PNG of grey bytes has whole 255ths of light, rounded down, as POV-Ray keeps it (measured).
+  bool grey_light_bytes = false;
   /// Larger images are refused before any memory is taken.
   std::uint64_t max_pixels = std::uint64_t{1} << 28;
 

@@ -26,7 +26,7 @@ double keys_weight(double d) {
 ImageSampler::ImageSampler(const ImageSource& source) : source_(source) {
   const ImageData& data = *source_.data;
   opaque_ = !source_.once && source_.filter_all == 0 && source_.transmit_all == 0 &&
-            data.channels % 2 == 1 && !data.pixels.empty();
+            (data.channels == 1 || data.channels == 3) && !data.pixels.empty();
 }
 
 std::optional<Vec2> ImageSampler::place(Vec3 p) const {
@@ -72,13 +72,15 @@ ImageSampler::Texel ImageSampler::texel(std::int64_t column, std::int64_t row) c
   const float* pixel = &data.pixels[at];
   switch (data.channels) {
     case 1:
-      return {{pixel[0], pixel[0], pixel[0], 1}};
+      return {{pixel[0], pixel[0], pixel[0], 1, 0}};
     case 2:
-      return {{pixel[0], pixel[0], pixel[0], pixel[1]}};
+      return {{pixel[0], pixel[0], pixel[0], pixel[1], 0}};
     case 3:
-      return {{pixel[0], pixel[1], pixel[2], 1}};
+      return {{pixel[0], pixel[1], pixel[2], 1, 0}};
+    case 4:
+      return {{pixel[0], pixel[1], pixel[2], pixel[3], 0}};
     default:
-      return {{pixel[0], pixel[1], pixel[2], pixel[3]}};
+      return {{pixel[0], pixel[1], pixel[2], pixel[3], pixel[4]}};
   }
 }
 
@@ -86,17 +88,17 @@ ImageSampler::Texel ImageSampler::texel(std::int64_t column, std::int64_t row) c
 template <class Weight>
 ImageSampler::Texel ImageSampler::weighted(std::int64_t column, std::int64_t row, int from, int to,
                                            Weight weight) const {
-  double sum[4] = {}, total = 0;
+  double sum[5] = {}, total = 0;
   for (int j = from; j <= to; ++j) {
     for (int i = from; i <= to; ++i) {
       const double w = weight(i, j);
       const Texel t = texel(column + i, row + j);
-      for (int k = 0; k < 4; ++k) sum[k] += w * t.channel[k];
+      for (int k = 0; k < 5; ++k) sum[k] += w * t.channel[k];
       total += w;
     }
   }
   Texel mean;
-  for (int k = 0; k < 4; ++k) mean.channel[k] = static_cast<float>(sum[k] / total);
+  for (int k = 0; k < 5; ++k) mean.channel[k] = static_cast<float>(sum[k] / total);
   return mean;
 }
 
@@ -127,15 +129,14 @@ std::optional<PigmentColor> ImageSampler::color(Vec3 p) const {
   const auto uv = place(p);
   if (!uv) return std::nullopt;
   const Texel t = sample(*uv);
-  const auto transmit = static_cast<float>(source_.transmit_all);
   return PigmentColor{{t.channel[0], t.channel[1], t.channel[2]},
-                      static_cast<float>(source_.filter_all),
-                      transmit != 0 ? transmit : 1 - t.channel[3]};
+                      static_cast<float>(source_.filter_all) + t.channel[4],
+                      static_cast<float>(source_.transmit_all) + 1 - t.channel[3]};
 }
 
 double ImageSampler::height_of(const Texel& t) const {
-  if (source_.use_alpha) return t.channel[3];
-  return static_cast<double>(gray({t.channel[0], t.channel[1], t.channel[2]})) * t.channel[3];
+  if (source_.use_alpha) return 1 - t.channel[3];
+  return static_cast<double>(gray({t.channel[0], t.channel[1], t.channel[2]}));
 }
 
 double ImageSampler::height(Vec3 p) const {

@@ -18,7 +18,8 @@ class ImageSampler {
   /// The colour at a point, with its transparency; nothing where the image does not reach.
   std::optional<PigmentColor> color(Vec3 p) const;
 
-  /// The grey value, or the alpha channel if the image asks for it; 0 where it does not reach.
+  /// The grey value, or what the alpha channel lets through if the image asks for it (measured); 0
+  /// where it does not reach.
   double height(Vec3 p) const;
 
   /// How far a normal leans on the image's bumps, along u and v: differences of the heights at the
@@ -33,7 +34,7 @@ class ImageSampler {
 
  private:
   struct Texel {
-    float channel[4] = {0, 0, 0, 1};  ///< red, green, blue, alpha
+    float channel[5] = {0, 0, 0, 1, 0};  ///< red, green, blue, alpha, filter
   };
   std::optional<Vec2> place(Vec3 p) const;
   Texel texel(std::int64_t column, std::int64_t row) const;

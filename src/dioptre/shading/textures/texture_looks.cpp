@@ -162,7 +162,8 @@ class Average final : public TextureLook {
   std::vector<Share> shares_;
 };
 
-/// Textures by the numbers of an image's pixels, which start again where they run out.
+/// Textures by the numbers of an image's pixels, which start again where they run out, but the
+/// first number that has none stands for the last texture (measured).
 class Material final : public TextureLook {
  public:
   Material(const MaterialMap& map, const TextureTable& table, const ImageSampler& image)
@@ -176,7 +177,8 @@ class Material final : public TextureLook {
 
  private:
   TextureId texture(const Lookup& at) const {
-    return textures_[image_.index(at.position) % textures_.size()];
+    const std::size_t number = image_.index(at.position), count = textures_.size();
+    return textures_[number == count ? count - 1 : number % count];
   }
 
   const TextureTable& table_;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t kLargestSide = 1 << 14;
 constexpr std::int64_t kMostPixels = 1 << 24;
 constexpr int kPaletteEntries = 256;
-constexpr std::size_t kMostTransmits = 1 << 16;
+constexpr std::size_t kMostShares = 1 << 16;
 
 /// How the names of a format's files end.
 struct FormatEndings {
@@ -93,43 +93,46 @@ ImageSource::Interpolation interpolation_of(std::int64_t type) {
   }
 }
 
-/// `filter all F`, or `filter NUMBER, F` for one colour of a palette.
-void parse_filter(Parser& parser, ImageSource& image) {
-  parser.next();
-  if (parser.accept(Keyword::kAll)) {
-    image.filter_all = parser.parse_float();
-    return;
-  }
-  parser.parse_float();
-  parser.skip_comma();
-  parser.parse_float();
-  parser.not_rendered("filter of single palette colours");
-}
-
-/// `transmit all T`, or `transmit NUMBER, T` for one colour of a palette; the last one counts.
-void parse_transmit(Parser& parser, ImageSource& image, ReadImageOptions& options) {
-  parser.next();
-  std::vector<EntryTransmit>& entries = options.entry_transmits;
-  if (parser.accept(Keyword::kAll)) {
-    image.transmit_all = parser.parse_float();
-    entries.clear();
-    return;
-  }
+/// `all SHARE`, or `NUMBER, SHARE` for one colour of a palette; the last one counts. The share of
+/// all goes into the entries where some have their own.
+void parse_shares(Parser& parser, double& all, std::vector<EntryShare>& entries) {
   const SourcePosition where = parser.position();
   const double number = parser.parse_float();
   if (!(number > -1 && number < kPaletteEntries)) {
     parser.fail_at(where, "a palette has colours 0 to 255");
   }
   parser.skip_comma();
-  const auto transmit = static_cast<float>(parser.parse_float());
-  if (entries.empty() && image.transmit_all != 0) {
-    const auto all = static_cast<float>(std::exchange(image.transmit_all, 0));
+  const auto share = static_cast<float>(parser.parse_float());
+  if (entries.empty() && all != 0) {
+    const auto of_all = static_cast<float>(std::exchange(all, 0));
     for (int i = 0; i < kPaletteEntries; ++i) {
-      entries.push_back({static_cast<std::uint8_t>(i), all});
+      entries.push_back({static_cast<std::uint8_t>(i), of_all});
     }
   }
-  if (entries.size() >= kMostTransmits) parser.fail_at(where, "too many transmits of this image");
-  entries.push_back({static_cast<std::uint8_t>(number), transmit});
+  if (entries.size() >= kMostShares) parser.fail_at(where, "too many colours with transparency");
+  entries.push_back({static_cast<std::uint8_t>(number), share});
+}
+
+/// `filter all F`, or `filter NUMBER, F`.
+void parse_filter(Parser& parser, ImageSource& image, ReadImageOptions& options) {
+  parser.next();
+  if (!parser.accept(Keyword::kAll)) {
+    return parse_shares(parser, image.filter_all, options.entry_filters);
+  }
+  image.filter_all = parser.parse_float();
+  options.entry_filters.clear();
+}
+
+/// `transmit all T`, which takes the place of what a palette says and adds to what other images do
+/// (measured), or `transmit NUMBER, T`.
+void parse_transmit(Parser& parser, ImageSource& image, ReadImageOptions& options) {
+  parser.next();
+  if (!parser.accept(Keyword::kAll)) {
+    return parse_shares(parser, image.transmit_all, options.entry_transmits);
+  }
+  image.transmit_all = parser.parse_float();
+  options.entry_transmits.clear();
+  options.opaque_palette = true;
 }
 
 bool parse_image_modifier(Parser& parser, ImageSource& image, ReadImageOptions& options) {
@@ -172,7 +175,7 @@ bool parse_image_modifier(Parser& parser, ImageSource& image, ReadImageOptions& 
       image.use_alpha = parser.parse_flag();
       return true;
     case Keyword::kFilter:
-      parse_filter(parser, image);
+      parse_filter(parser, image, options);
       return true;
     case Keyword::kTransmit:
       parse_transmit(parser, image, options);
@@ -198,9 +201,13 @@ Shared<ImageData> read_pixels(Parser& parser, const std::string& path, SourcePos
 /// entry of a palette is as high as its number if bumps ask for that, and not scaled to 1
 /// (measured); a pattern has the colours' greys in any case (measured).
 void read_as(ImageUse use, bool use_color, ReadImageOptions& options) {
+  options.grey_light_bytes = true;
   if (use == ImageUse::kColor) return;
   options.entry_transmits.clear();
+  options.entry_filters.clear();
+  options.opaque_palette = false;
   if (!options.gamma) options.gamma = 1;
+  options.working_gamma = 1;
   if (use == ImageUse::kNumbers) options.palette_scale = 1 / 255.0f;
   if (use == ImageUse::kBumps && !use_color) options.palette_scale = 1;
 }
@@ -234,6 +241,8 @@ ImageId parse_image(Parser& parser, ImageUse use, const std::function<bool()>& o
   options.language_version = parser.version();
   options.max_pixels =
       std::min(options.max_pixels, parser.budgets().memory_bytes / kDecodedPixelBytes);
+  const Settings& settings = parser.scene().settings;
+  if (settings.gamma_correction) options.working_gamma = settings.assumed_gamma;
   const Keyword format = take_image_format(parser);
   const SourcePosition where = parser.position();
   const bool made = parser.accept(Keyword::kFunction);

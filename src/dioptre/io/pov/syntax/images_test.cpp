@@ -31,8 +31,9 @@ class Images : public testing::Test {
     return options;
   }
   /// The images of a scene that has one sphere for each pigment.
-  std::vector<ImageSource> images_of(const std::vector<std::string>& pigments) const {
-    std::string program = "#version 3.7;\n";
+  std::vector<ImageSource> images_of(const std::vector<std::string>& pigments,
+                                     const std::string& settings = "") const {
+    std::string program = "#version 3.7;\n" + settings + "\n";
     for (const std::string& p : pigments) program += "sphere { 0, 1 pigment { " + p + " } }\n";
     Diagnostics diagnostics;
     NoQueries queries;
@@ -104,6 +105,33 @@ TEST_F(Images, TheLastTransmitOfAColorCounts) {
   EXPECT_EQ(alphas("transmit all 0.5 transmit 1, 0"),
             (Alphas{{0.5f, 1, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f}, 0}));
   EXPECT_EQ(alphas("transmit 1, 0 transmit all 0.5"), (Alphas{std::vector<float>(8, -1), 0.5}));
+}
+
+TEST_F(Images, FiltersOfSingleColorsAreAFifthChannel) {
+  const auto filters = [&](const std::string& given) {
+    const auto images = images_of({"image_map { gif \"p.gif\" " + given + " }"});
+    const ImageData& data = *images.at(0).data;
+    std::vector<float> of_entries(8, -1);
+    for (std::size_t i = 0; data.channels == 5 && i < 8; ++i) {
+      of_entries[static_cast<std::size_t>(kPaletteNumbers[i])] = data.pixels[5 * i + 4];
+    }
+    return std::pair(of_entries, images.at(0).filter_all);
+  };
+  using Filters = std::pair<std::vector<float>, double>;
+  EXPECT_EQ(filters("filter 1, 0.5 filter 7, 1"), (Filters{{0, 0.5f, 0, 0, 0, 0, 0, 1}, 0}));
+  EXPECT_EQ(filters("filter all 0.5 filter 1, 0"),
+            (Filters{{0.5f, 0, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f}, 0}));
+  EXPECT_EQ(filters("filter 1, 0 filter all 0.5"), (Filters{std::vector<float>(8, -1), 0.5}));
+}
+
+TEST_F(Images, LightIsGivenInTheValuesOfTheScene) {
+  const auto first = [&](const std::string& settings, const std::string& modifiers) {
+    const auto images = images_of({"image_map { gif \"p.gif\" " + modifiers + " }"}, settings);
+    return (*images.at(0).data).pixels[0];
+  };
+  const float light = first("global_settings { assumed_gamma 1 }", "gamma 2");
+  const float value = first("global_settings { assumed_gamma 2 }", "gamma 2");
+  EXPECT_FLOAT_EQ(value * value, light);
 }
 
 TEST_F(Images, WrongTransmitsAreErrors) {
