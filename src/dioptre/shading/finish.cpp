@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dioptre/shading/finish.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -27,7 +28,8 @@ Color diffuse(const SurfaceLayer& layer, const LightGeometry& g, double n_dot_l,
   const double amount = front ? finish.diffuse : finish.diffuse_back;
   if (amount == 0) return {};
   double term = diffuse_term(finish, amount, std::fabs(n_dot_l));
-  if (finish.crand > 0) term *= 1 - finish.crand * grain(g);
+  // The grain is as strong on a dark surface as on a bright one (measured).
+  if (finish.crand > 0) term = std::max(0.0, term - finish.crand * grain(g));
   return layer.pigment.color * (static_cast<float>(term) * layer.pigment.opacity());
 }
 
