@@ -29,6 +29,8 @@ Vec3 warped(Vec3 p, const RepeatWarp& repeat) {
   return p + copy * repeat.offset;
 }
 
+/// Towards a centre, by no more than the distance to it. Of holes that repeat, `turbulence` moves
+/// each by the random numbers that crackle has for its cell (measured).
 Vec3 warped(Vec3 p, const BlackHoleWarp& hole) {
   Vec3 center = hole.center;
   if (hole.repeats) {
@@ -40,16 +42,18 @@ Vec3 warped(Vec3 p, const BlackHoleWarp& hole) {
           std::fmax(center[axis], hole.radius);  // the hole does not leave its cell below
     }
     center += cell * hole.repeat;
-    const auto jitter = [&](double salt) {
-      return cell == Vec3{} ? 0.0 : noise(cell + Vec3{salt, salt, salt}, NoiseGenerator::kOriginal);
+    const auto whole = [](double v) {
+      return std::fabs(v) < 0x1p53 ? static_cast<std::int64_t>(v) : 0;
     };
-    center += hole.turbulence * Vec3{jitter(1), jitter(2), jitter(3)};
+    const std::uint32_t hash = cell_hash(whole(cell.x), whole(cell.y), whole(cell.z));
+    center +=
+        hole.turbulence * Vec3{random_value(hash), random_value(hash + 1), random_value(hash + 2)};
   }
   const Vec3 from_center = p - center;
   const double distance = length(from_center);
   if (distance >= hole.radius || distance == 0) return p;
   const double pull =
-      std::pow((hole.radius - distance) / hole.radius, hole.falloff) * hole.strength;
+      std::fmin(std::pow((hole.radius - distance) / hole.radius, hole.falloff) * hole.strength, 1);
   const double stretch = hole.inverse ? 1 - pull : 1 + pull;
   return center + stretch * from_center;
 }

@@ -73,6 +73,13 @@ DescribedPtr parse_texture_value(Parser& parser) {
   return describe(texture);
 }
 
+/// What a finish begins as.
+Finish default_finish(Parser& parser) {
+  const Texture& texture = at(parser.scene().textures, default_texture(parser));
+  const auto* layers = std::get_if<LayeredTexture>(&texture.data);
+  return layers && !layers->layers.empty() ? layers->layers.back().finish : Finish{};
+}
+
 DescribedPtr parse_texture_part(Parser& parser, Keyword keyword) {
   switch (keyword) {
     case Keyword::kTexture:
@@ -86,7 +93,7 @@ DescribedPtr parse_texture_part(Parser& parser, Keyword keyword) {
       return describe(parse_normal(parser, {}));
     case Keyword::kFinish:
       parser.next();
-      return describe(parse_finish(parser, {}));
+      return describe(parse_finish(parser, default_finish(parser)));
     case Keyword::kInterior:
       parser.next();
       return describe(parse_interior(parser, {}));
