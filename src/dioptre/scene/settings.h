@@ -18,6 +18,9 @@ struct Settings {
   std::uint32_t noise_generator = 2;
   std::uint32_t number_of_waves = 10;
   Color irid_wavelength{0.70f, 0.52f, 0.48f};
+  /// Of scenes before 3.7: `filter` takes away of a surface's own light what it lets through in the
+  /// brightest channel, not all of it.
+  bool old_opacity = false;
   double language_version = 3.7;  ///< 3.7 or the older one that the scene asks for
   bool operator==(const Settings&) const = default;
 
@@ -31,6 +34,7 @@ struct Settings {
     visit("noise_generator", self.noise_generator);
     visit("number_of_waves", self.number_of_waves);
     visit("irid_wavelength", self.irid_wavelength);
+    visit("old_opacity", self.old_opacity);
     visit("language_version", self.language_version);
   }
 };

@@ -30,7 +30,7 @@ Color diffuse(const SurfaceLayer& layer, const LightGeometry& g, double n_dot_l,
   double term = diffuse_term(finish, amount, std::fabs(n_dot_l));
   // The grain is as strong on a dark surface as on a bright one (measured).
   if (finish.crand > 0) term = std::max(0.0, term - finish.crand * grain(g));
-  return layer.pigment.color * (static_cast<float>(term) * layer.pigment.opacity());
+  return layer.pigment.color * (static_cast<float>(term) * layer.opacity());
 }
 
 Color highlights(const SurfaceLayer& layer, const LightGeometry& g, double n_dot_l) {
@@ -52,8 +52,7 @@ Color highlights(const SurfaceLayer& layer, const LightGeometry& g, double n_dot
 
 Color glow(const SurfaceLayer& layer, Color ambient_light) {
   const Finish& finish = *layer.finish;
-  return (finish.ambient * ambient_light + finish.emission) * layer.pigment.color *
-         layer.pigment.opacity();
+  return (finish.ambient * ambient_light + finish.emission) * layer.pigment.color * layer.opacity();
 }
 
 ReflectedLight reflected_light(const SurfaceLayer& layer, const LightGeometry& geometry,

@@ -24,7 +24,7 @@ class CompiledTextures final : public TextureEvaluator {
     pigments_.compile(scene, images_, services);
     normals_.compile(scene, images_, services);
     functions_.compile(scene, pigments_, services);
-    textures_.compile(scene, {pigments_, normals_, images_}, services);
+    textures_.compile(scene, {pigments_, normals_, images_, scene.settings.old_opacity}, services);
   }
 
   void append(TextureId texture, float weight, const TexturePoint& point,

@@ -33,6 +33,14 @@ struct SurfaceLayer {
   PigmentColor pigment;
   Vec3 normal;  ///< unit, disturbed, in the space of TexturePoint::normal
   const Finish* finish = nullptr;
+  bool old_opacity = false;  ///< as Settings has it
+
+  /// The share of the surface's own light; not clamped.
+  float opacity() const {
+    const PigmentColor& p = pigment;
+    if (!old_opacity) return p.opacity();
+    return 1 - p.transmit - p.filter * max_component(p.color);
+  }
 };
 
 /// What a texture is at a point: stacks of layers with weights that sum to 1 (more than one stack

@@ -40,12 +40,13 @@ void Interpreter::run(const std::string& name, std::string text, const std::stri
     fail("expected #end, found the end of the file",
          "each #if, #while, #for and #switch needs one");
   }
-  settle_gamma();
+  settle_version();
 }
 
 /// Scenes of older versions, and those that name no version, are without gamma correction unless
-/// they ask for it by assumed_gamma.
-void Interpreter::settle_gamma() {
+/// they ask for it by assumed_gamma, and their filters leave more of a surface's own light
+/// (measured: the last version named decides).
+void Interpreter::settle_version() {
   if (!version_given_) {
     Diagnostic d;
     d.severity = Severity::kWarning;
@@ -53,7 +54,9 @@ void Interpreter::settle_gamma() {
     d.message = "the scene names no #version: read as 3.7, but with the gamma rule of 3.6";
     diagnostics_.report(std::move(d));
   }
-  scene_.settings.gamma_correction = gamma_given_ || (version_given_ && version_ >= 3.7 - 1e-9);
+  const bool modern = version_given_ && version_ >= 3.7 - 1e-9;
+  scene_.settings.gamma_correction = gamma_given_ || modern;
+  scene_.settings.old_opacity = !modern;
 }
 
 const Token& Interpreter::fetch() {

@@ -138,7 +138,7 @@ class Interpreter final : public Parser {
   void give_back_elements(const Frame& frame);
   bool end_program();
   bool ends_value(const Token& token) const;
-  void settle_gamma();
+  void settle_version();
   void count_step() {
     if (++steps_ >= next_check_) check_budgets();
   }

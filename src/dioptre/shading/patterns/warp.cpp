@@ -34,20 +34,20 @@ Vec3 warped(Vec3 p, const RepeatWarp& repeat) {
 Vec3 warped(Vec3 p, const BlackHoleWarp& hole) {
   Vec3 center = hole.center;
   if (hole.repeats) {
-    Vec3 cell;
+    Vec3 cell, size;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (hole.repeat[axis] == 0) continue;
-      cell[axis] = std::floor(p[axis] / hole.repeat[axis]);
-      center[axis] =
-          std::fmax(center[axis], hole.radius);  // the hole does not leave its cell below
+      // No hole leaves its cell, wherever it is moved to.
+      size[axis] = std::fmax(hole.repeat[axis], 2 * hole.radius + hole.turbulence[axis]);
+      cell[axis] = std::floor(p[axis] / size[axis]);
+      center[axis] = std::fmax(center[axis], hole.radius);
     }
-    center += cell * hole.repeat;
     const auto whole = [](double v) {
       return std::fabs(v) < 0x1p53 ? static_cast<std::int64_t>(v) : 0;
     };
     const std::uint32_t hash = cell_hash(whole(cell.x), whole(cell.y), whole(cell.z));
-    center +=
-        hole.turbulence * Vec3{random_value(hash), random_value(hash + 1), random_value(hash + 2)};
+    center += cell * size + hole.turbulence * Vec3{random_value(hash), random_value(hash + 1),
+                                                   random_value(hash + 2)};
   }
   const Vec3 from_center = p - center;
   const double distance = length(from_center);

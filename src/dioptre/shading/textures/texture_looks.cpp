@@ -35,6 +35,7 @@ class Layers final : public TextureLook {
       SurfaceLayer& made = out.layers.emplace_back();
       made.normal = disturbed(layer, inside, normal);
       made.finish = &layer.finish;
+      made.old_opacity = parts_.old_opacity;
       // Patterns that look at the surface see its bumps.
       if (made.normal != normal) inside.viewpoint.normal = normalize(made.normal);
       made.pigment = parts_.pigments.color(layer.pigment, inside);

@@ -15,6 +15,7 @@ struct TextureParts {
   const PigmentTable& pigments;
   const NormalTable& normals;
   const std::vector<ImageSampler>& images;
+  bool old_opacity = false;  ///< as Settings has it
 };
 
 /// A texture made ready. Immutable.
