@@ -39,6 +39,7 @@ constexpr OwnOption kOwnOptions[] = {
     {"--csv", "FILE", "Report_Csv", "what compare found, as a table; - is the standard output"},
     {"--html", "FILE", "Report_Html", "what compare or explain found, as a page"},
     {"--json", "FILE", "Report_Json", "the same as JSON"},
+    {"--strict", nullptr, "Strict", "refuse what POV-Ray 3.7 refuses, where its meaning is plain"},
     {"--max-steps", "N", "Max_Steps", "of the scene's program"},
     {"--max-objects", "N", "Max_Objects", "that a scene may make"},
     {"--max-nesting", "N", "Max_Nesting", "of braces, macros and includes"},

@@ -51,6 +51,7 @@ LoadOptions load_options(const AppSettings& s, std::int64_t frame) {
       is_animation(s) ? static_cast<std::int32_t>(std::min<std::int64_t>(last, INT32_MAX)) : 0;
   options.frame_number = static_cast<std::int32_t>(frame);
   for (const auto& [name, value] : s.declares) options.declares[name] = value;
+  options.strict = s.strict;
   options.budgets.steps = s.max_steps;
   options.budgets.objects = s.max_objects;
   options.budgets.nesting = s.max_nesting;

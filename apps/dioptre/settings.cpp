@@ -271,6 +271,7 @@ const Option kOptions[] = {
     {"Subset_Start_Frame", number<-1e300, kBig, &S::subset_start>},
     {"Terms", flag<&S::term_images>},
     {"User_Abort_Command", refuse_command},
+    {"Strict", flag<&S::strict>},
     {"Verbose", flag<&S::verbose>},
     {"Version", number<0.0, 3.85, &S::version>},
     {"Warning_Console", flag<&S::warnings>},

@@ -73,6 +73,7 @@ struct AppSettings {
 
   bool verbose = true;
   bool warnings = true;
+  bool strict = false;                      ///< see LoadOptions
   bool debug_messages = true;               ///< what scenes print by #debug and the like
   std::vector<std::string> without_effect;  ///< options that ask for what does not happen
   std::string progress = "auto";            ///< auto, plain, json, none

@@ -121,6 +121,17 @@ Result<FileAccess::Found> FileAccess::find(const std::string& name) const {
   return fail("cannot find the file '" + name + "'" + places);
 }
 
+bool FileAccess::is_missing(const std::string& name) const {
+  if (name.empty() || name.find('\0') != std::string::npos) return false;
+  const fs::path wanted(name);
+  std::error_code error;
+  if (wanted.is_absolute()) return !fs::exists(fs::symlink_status(wanted, error));
+  return std::none_of(search_.begin(), search_.end(), [&](const std::string& folder) {
+    return fs::exists(fs::symlink_status(fs::path(folder) / wanted, error)) ||
+           !find_other_case(folder, wanted).empty();
+  });
+}
+
 Result<std::string> FileAccess::read(const std::string& path, std::uint64_t most_bytes) const {
   std::error_code error;
   if (!fs::exists(path, error)) return fail("there is no file '" + path + "'");

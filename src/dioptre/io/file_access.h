@@ -29,6 +29,9 @@ class FileAccess {
   /// The file of that name along the search path. A name that is not there is tried in other upper
   /// and lower case. The Error says where it was looked for, or that it may not be read.
   Result<Found> find(const std::string& name) const;
+  /// Whether there is nothing at all of that name along the search path: no file, no folder, and no
+  /// file that may not be read.
+  bool is_missing(const std::string& name) const;
   /// The whole file. Fails on folders, devices, and over `most_bytes`.
   Result<std::string> read(const std::string& path, std::uint64_t most_bytes) const;
   /// The path to write a file to, if that is allowed: not over a scene, a file of settings or

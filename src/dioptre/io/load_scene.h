@@ -42,6 +42,7 @@ struct LoadOptions {
   std::map<std::string, std::variant<double, std::string>> declares;  ///< Declare=NAME=VALUE
   std::vector<std::string> readable_paths,
       writable_paths;  ///< beyond the scene's and library folders
+  bool strict = false;  ///< what POV-Ray 3.7 refuses is an error, even if its meaning is plain
   LoadBudgets budgets;
   const std::atomic<bool>* cancel = nullptr;  ///< set to true: the reading ends with an error
 };

@@ -62,9 +62,9 @@ Symbol Interpreter::new_name(std::string_view what) {
   const bool free =
       k == Keyword::kAtand || k == Keyword::kSqr || k == Keyword::kCube || variable.has_value();
   if (!free) {
-    diagnostics_.report(diagnostic(
-        Severity::kWarning, where,
-        "'" + symbols_.name(name) + "' is a reserved word: from here on it is the scene's name"));
+    forgive(where,
+            "'" + symbols_.name(name) + "' is a reserved word: from here on it is the scene's name",
+            "give it another name");
   }
   const Symbol fresh = symbols_.free_keyword(name);
   if (variable) {
@@ -117,8 +117,8 @@ void Interpreter::end_declaration(const Value& value, const Target& target) {
   if ((numeric || within_macro) && accept(';')) return;
   if (!numeric) return;
   if (version_given_ && version_ < 3.5) return;
-  warn_once(target.position,
-            "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");
+  forgive(target.position,
+          "the declaration of " + symbols_.name(target.name) + " has no ';' at its end");
 }
 
 void Interpreter::assign(const Target& target, Value value) {
@@ -209,12 +209,38 @@ Value Interpreter::parse_array() {
     check_elements(total);
     expect(']', "after the size");
   }
-  if (array->sizes.empty()) fail_expected("'[' and the size of the array");
+  if (array->sizes.empty()) return counted_array();
   array->elements.resize(total);
   if (!pending_ && peek().is('{')) {
     std::size_t place = 0;
     fill_array(*array, 0, place);
   }
+  return array;
+}
+
+/// `array { ... }` and `array mixed { ... }` of POV-Ray 3.8: as large as its elements are many,
+/// which may be lists in braces themselves.
+std::shared_ptr<Array> Interpreter::counted_array() {
+  const Nesting guard(*this);
+  const Token& token = peek();
+  const bool mixed = token.kind == Token::Kind::kName && symbols_.name(token.index) == "mixed";
+  if (!mixed && !token.is('{')) fail_expected("'[' and the size of the array");
+  if (!newer_language_) {
+    forgive(token.position, "an array without a size is of POV-Ray 3.8", "write array[SIZE]");
+  }
+  if (mixed) next();
+  expect('{', "before the elements");
+  auto array = std::make_shared<Array>();
+  while (!at('}')) {
+    check_elements(array->elements.size() + 1);
+    Value element = at('{') ? Value(counted_array()) : parse_value(0);
+    deepen(*array, element, 1);
+    array->elements.push_back(std::move(element));
+    skip_comma();
+  }
+  if (array->elements.empty()) fail("an array needs at least one element", "write array[SIZE]");
+  next();
+  array->sizes.push_back(static_cast<std::uint32_t>(array->elements.size()));
   return array;
 }
 

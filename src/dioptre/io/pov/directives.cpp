@@ -127,11 +127,34 @@ std::string Interpreter::find_file(const std::string& name,
     if (auto longer = access_.find(wanted + std::string(endings[i]))) file = std::move(longer);
   }
   if (!file) fail_at(file_name_at_, file.error().message);
-  if (wanted != name) warn("'\\' in the file name '" + name + "' is read as '/'");
+  if (wanted != name) {
+    forgive(file_name_at_, "'\\' in the file name '" + name + "' is read as '/'",
+            "write \"" + wanted + "\"");
+  }
   if (file->other_case) {
-    warn("the file '" + name + "' was found in other upper or lower case: " + file->path);
+    forgive(file_name_at_, "the file '" + name + "' was found in other upper or lower case",
+            "it is " + file->path);
   }
   return file->path;
+}
+
+std::string Interpreter::find_font(const std::string& name) {
+  static constexpr std::string_view kEndings[] = {".ttf"};
+  std::string wanted = name;
+  for (char& c : wanted) {
+    if (c == '\\') c = '/';
+  }
+  const bool missing =
+      access_.is_missing(wanted) && access_.is_missing(wanted + std::string(kEndings[0]));
+  if (!missing || options_.strict) return find_file(name, kEndings);
+  for (char& c : wanted) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  const auto has = [&](std::string_view part) { return wanted.find(part) != wanted.npos; };
+  const std::string own = has("cour") || has("mono") || has("consol")      ? "crystal.ttf"
+                          : has("times") || has("roman") || has("georgia") ? "timrom.ttf"
+                                                                           : "cyrvetic.ttf";
+  forgive(file_name_at_, "cannot find the font '" + name + "': " + own + " stands for it",
+          "put the font beside the scene");
+  return find_file(own);
 }
 
 void Interpreter::run_include() {
@@ -165,7 +188,10 @@ void Interpreter::run_version() {
     fail_at(where,
             "this is POV-Ray 3.7's language, version " + formatted(wanted, 0, 1) + " is not known");
   }
-  if (wanted > 3.75) warn("version 3.8 is read as 3.7");
+  newer_language_ = wanted > 3.75;
+  if (newer_language_) {
+    forgive(where, "version 3.8 is read as 3.7", "write #version 3.7; if the scene needs no more");
+  }
   // A semicolon may be taken only if it is here: what follows may depend on the new version.
   set_version(wanted);
   ++effects_;

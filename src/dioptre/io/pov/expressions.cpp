@@ -312,6 +312,32 @@ double Interpreter::parse_float() {
   const SourcePosition where = position();
   return as_float(sum(), where);
 }
+/// The digits behind a decimal comma are counted in the file: the token has only their value.
+double Interpreter::parse_setting_float() {
+  const double whole = parse_float();
+  const bool comma = at(',') && !pending_ && cursor_[1].kind == Token::Kind::kNumber;
+  if (!comma) return whole;
+  const SourcePosition where = position();
+  next();
+  const Token digits = next();
+  const std::string_view line = programs_[digits.position.file]->line(digits.position.line);
+  double unit = 1;
+  for (std::size_t i = digits.position.column - 1; i < line.size(); ++i) {
+    if (line[i] < '0' || line[i] > '9') break;
+    unit /= 10;
+  }
+  forgive(where, "',' is read as a decimal point", "write the number with '.'");
+  return whole + digits.number * unit;
+}
+
+bool Interpreter::accept_word(std::string_view word) {
+  const Token& token = peek();
+  if (token.kind != Token::Kind::kName || token.index < kKeywordCount) return false;
+  if (symbols_.name(token.index) != word) return false;
+  next();
+  return true;
+}
+
 bool Interpreter::parse_bool() { return is_true(parse_float()); }
 
 bool Interpreter::parse_flag() {

@@ -15,6 +15,7 @@ Interpreter::Interpreter(const LoadOptions& options, const FileAccess& access,
       diagnostics_(diagnostics),
       begin_(std::chrono::steady_clock::now()),
       first_bytes_(resident_bytes()) {
+  scene_.settings.noise_generator = 0;  // until the scene names one or has come to its end
   if (options.version > 0) set_version(options.version);
   for (const auto& [name, value] : options.declares) {
     Value& target = scopes_.global(symbols_.intern(name)).value;
@@ -43,20 +44,23 @@ void Interpreter::run(const std::string& name, std::string text, const std::stri
   settle_version();
 }
 
-/// Scenes of older versions, and those that name no version, are without gamma correction unless
-/// they ask for it by assumed_gamma, and their filters leave more of a surface's own light
-/// (measured: the last version named decides).
+/// What the version reached at the end decides (measured). Scenes of older versions, and those that
+/// name none, are without gamma correction unless they ask for it by assumed_gamma, and their
+/// filters leave more of a surface's own light; before 3.5 noise was the first generator's.
 void Interpreter::settle_version() {
   if (!version_given_) {
     Diagnostic d;
     d.severity = Severity::kWarning;
     d.file = programs_.front()->name;
-    d.message = "the scene names no #version: read as 3.7, but with the gamma rule of 3.6";
+    d.message = "the scene names no #version: read as 3.7, but with the look of 3.6";
     diagnostics_.report(std::move(d));
   }
-  const bool modern = version_given_ && version_ >= 3.7 - 1e-9;
-  scene_.settings.gamma_correction = gamma_given_ || modern;
-  scene_.settings.old_opacity = !modern;
+  const bool modern = version() >= 3.7 - 1e-9;
+  Settings& settings = scene_.settings;
+  settings.language_version = version();
+  settings.gamma_correction = gamma_given_ || modern;
+  settings.old_opacity = !modern;
+  if (settings.noise_generator == 0) settings.noise_generator = version() < 3.5 ? 1 : 2;
 }
 
 const Token& Interpreter::fetch() {

@@ -30,6 +30,9 @@ int component_place(const Token& token);
 
 /// `rgb`, `red`, `color` and the like.
 bool is_color_keyword(Keyword k);
+/// The language of scenes that name no version, in all that a version decides, though `version`
+/// reads 3.7 in them (measured).
+inline constexpr double kUnnamedVersion = 3.6;
 /// As C's %g: six digits at most.
 std::string shortest(double value);
 /// Days since the beginning of the year 2000, Greenwich.
@@ -74,13 +77,14 @@ class Interpreter final : public Parser {
   Scene& scene() override { return scene_; }
   SourceMap& source_map() override { return source_map_; }
   SceneQueries& queries() override;
-  double version() const override { return version_; }
+  double version() const override { return version_given_ ? version_ : kUnnamedVersion; }
   SourcePosition position() override { return peek().position; }
   void charge(std::uint64_t bytes) override;
   void check_levels() override;
   const LoadBudgets& budgets() const override { return options_.budgets; }
   std::string find_file(const std::string& name,
                         std::span<const std::string_view> endings = {}) override;
+  std::string find_font(const std::string& name) override;
   std::string read_file(const std::string& path) override;
   ReadImages& read_images() override { return read_images_; }
   [[noreturn]] void fail(std::string message, std::string how_to_mend = {}) override;
@@ -88,6 +92,10 @@ class Interpreter final : public Parser {
                             std::string how_to_mend = {}) override;
   [[noreturn]] void fail_expected(std::string_view what) override;
   void warn(std::string message, std::string how_to_mend = {}) override;
+  void warn_at(SourcePosition where, std::string message, std::string how_to_mend = {}) override;
+  void forgive(SourcePosition where, std::string message, std::string how_to_mend = {}) override;
+  double parse_setting_float() override;
+  bool accept_word(std::string_view word) override;
   void not_rendered(std::string_view feature) override;
 
  protected:
@@ -211,6 +219,7 @@ class Interpreter final : public Parser {
   Value parse_value(Symbol name);
   Value parse_array();
   void fill_array(Array& array, std::size_t dimension, std::size_t& place);
+  std::shared_ptr<Array> counted_array();
   void end_declaration(const Value& value, const Target& target);
   void warn_deprecated(Binding& binding);
 
@@ -352,6 +361,7 @@ class Interpreter final : public Parser {
   std::chrono::steady_clock::time_point begin_;
   std::uint64_t first_bytes_ = 0;  ///< of memory in use when the reading began
   double version_ = 3.7;
+  bool newer_language_ = false;  ///< 3.8 was asked for
   bool version_given_ = false, gamma_given_ = false;
   std::vector<std::uint32_t> streams_;  ///< states of the random streams
   std::set<std::string> said_;          ///< warnings that are given once

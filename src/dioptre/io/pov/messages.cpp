@@ -109,11 +109,20 @@ void Interpreter::expect(char c, std::string_view why) {
 }
 
 void Interpreter::warn(std::string message, std::string how_to_mend) {
-  const SourcePosition where = ready_ ? current_->position : cursor_->position;
+  warn_at(ready_ ? current_->position : cursor_->position, std::move(message),
+          std::move(how_to_mend));
+}
+
+void Interpreter::warn_at(SourcePosition where, std::string message, std::string how_to_mend) {
   if (!is_new(message, where.file, where.line)) return;
   Diagnostic d = diagnostic(Severity::kWarning, where, std::move(message));
   if (!how_to_mend.empty()) d.notes.push_back(std::move(how_to_mend));
   diagnostics_.report(std::move(d));
+}
+
+void Interpreter::forgive(SourcePosition where, std::string message, std::string how_to_mend) {
+  if (options_.strict) fail_at(where, std::move(message), std::move(how_to_mend));
+  warn_at(where, std::move(message), std::move(how_to_mend));
 }
 
 void Interpreter::not_rendered(std::string_view feature) {

@@ -94,6 +94,8 @@ class Parser {
   /// there is none of that name, each of the endings is tried behind it.
   virtual std::string find_file(const std::string& name,
                                 std::span<const std::string_view> endings = {}) = 0;
+  /// As find_file, for a font; one of POV-Ray's own stands for a font that is not there.
+  virtual std::string find_font(const std::string& name) = 0;
   /// All bytes of a file that find_file gave; fails if there are too many for the budgets.
   virtual std::string read_file(const std::string& path) = 0;
   virtual ReadImages& read_images() = 0;
@@ -104,6 +106,14 @@ class Parser {
   /// Fails with "expected WHAT, found ...".
   [[noreturn]] virtual void fail_expected(std::string_view what) = 0;
   virtual void warn(std::string message, std::string how_to_mend = {}) = 0;
+  virtual void warn_at(SourcePosition where, std::string message, std::string how_to_mend = {}) = 0;
+  /// Accepts with a warning, once per place, what POV-Ray 3.7 refuses but has one sensible meaning;
+  /// fails if the reading is strict.
+  virtual void forgive(SourcePosition where, std::string message, std::string how_to_mend = {}) = 0;
+  /// A float of a setting, perhaps with a decimal comma: `0,01`.
+  virtual double parse_setting_float() = 0;
+  /// If the next token is a name without a meaning that reads so, takes it.
+  virtual bool accept_word(std::string_view word) = 0;
   /// Says, once per feature and file, "FEATURE is not rendered yet: ignored".
   virtual void not_rendered(std::string_view feature) = 0;
   /// Guards every recursion: fails when the nesting budget is used up.

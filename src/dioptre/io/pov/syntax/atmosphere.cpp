@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // background, fog, rainbow and sky_sphere.
+#include <algorithm>
+
 #include "dioptre/io/pov/syntax/patterns.h"
 
 namespace dioptre::pov {
@@ -185,7 +187,8 @@ void parse_background(Parser& parser) {
   Atmosphere& atmosphere = parser.scene().atmosphere;
   while (!parser.accept('}')) {
     const PigmentColor color = parser.parse_color();
-    atmosphere.background = color.color;
+    // Dimmed by transmit, in mirrors too; filter does nothing (measured).
+    atmosphere.background = color.color * std::max(0.0f, 1 - color.transmit);
     atmosphere.background_transmit = color.transmit;
     parser.skip_comma();
   }

@@ -47,8 +47,7 @@ Text parse_text(Parser& parser, bool& drawn) {
     text.font = parser.find_file(kFonts[number >= 1 && number <= 4 ? number - 1 : 0]);
   } else {
     if (!parser.accept(Keyword::kTtf)) parser.fail_expected("ttf or internal");
-    static constexpr std::string_view kEndings[] = {".ttf"};
-    text.font = parser.find_file(parser.parse_file_name(), kEndings);
+    text.font = parser.find_font(parser.parse_file_name());
   }
   parser.skip_comma();
   text.text = parser.parse_string();

@@ -120,7 +120,7 @@ class FinishParser {
 
   bool diffuse() {
     albedo_number(finish_.diffuse, finish_.diffuse_albedo);
-    if (parser_.accept(',')) finish_.diffuse_back = parser_.parse_float();
+    if (parser_.accept(',') || parser_.at_expression()) finish_.diffuse_back = parser_.parse_float();
     return true;
   }
 

@@ -44,7 +44,7 @@ bool parse_setting(Parser& parser, Settings& settings) {
       return true;
     case Keyword::kAdcBailout:
       parser.next();
-      settings.adc_bailout = parser.parse_float();
+      settings.adc_bailout = parser.parse_setting_float();
       return true;
     case Keyword::kMaxTraceLevel:
       parser.next();
@@ -74,11 +74,14 @@ bool parse_setting(Parser& parser, Settings& settings) {
         parser.fail_expected("ascii, utf8 or sys");
       }
       return true;
-    case Keyword::kHfGray16:
+    case Keyword::kHfGray16: {
+      const SourcePosition where = parser.position();
       parser.next();
       parser.parse_flag();
-      parser.warn("hf_gray_16 does nothing", "ask for a grey image of 16 bits on the command line");
+      parser.warn_at(where, "hf_gray_16 does nothing",
+                     "ask for a grey image of 16 bits on the command line");
       return true;
+    }
     case Keyword::kRadiosity:
       parser.next();
       parse_radiosity(parser);

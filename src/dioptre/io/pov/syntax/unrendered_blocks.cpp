@@ -172,6 +172,11 @@ void parse_radiosity(Parser& parser) {
       skip_floats(parser);
     } else if (accept_any(parser, {Keyword::kSaveFile, Keyword::kLoadFile})) {
       parser.parse_string();
+    } else if (const SourcePosition where = parser.position();
+               parser.accept_word("distance_maximum")) {
+      parser.forgive(where, "distance_maximum is no setting of POV-Ray 3.7: ignored",
+                     "leave it out");
+      parser.parse_float();
     } else if (!parser.accept(',')) {
       parser.fail_expected("a setting of the radiosity or '}'");
     }
